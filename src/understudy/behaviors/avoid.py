@@ -1,0 +1,153 @@
+"""``Avoid``: no skill drives the robot into an obstacle (A.4), and going around one on the way (semantics §1).
+
+Two parts: :func:`steer` turns "go in that direction" into speeds for the wheels, along the free direction nearest to the wanted one;
+:func:`guard` has the last word and overrides any speeds that would bring the robot's outline into an obstacle.
+The thing that a skill aims at is exempt from the first, and may come closer than others in the second.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from understudy.behaviors.skill import Drive, Head
+from understudy.geometry import Point, wrap_angle
+from understudy.robot import RobotSpec
+
+__all__ = ["Avoid", "AvoidSettings"]
+
+Points = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AvoidSettings:
+    """Distances in metres, times in seconds.
+
+    Attributes:
+        corridor: free room wanted on both sides of the robot's middle line while driving.
+        look_ahead: how far a direction must be free.
+        margin: nearest that an obstacle may come to the robot's outline.
+        aim_margin: the same for the thing that a skill approaches on purpose.
+        horizon: how far ahead speeds are followed before they are trusted.
+    """
+
+    corridor: float = 0.29
+    look_ahead: float = 1.0
+    margin: float = 0.07
+    aim_margin: float = 0.05
+    horizon: float = 0.9
+
+
+_OFFSETS = np.radians(sorted(range(-112, 113, 7), key=lambda degrees: (abs(degrees), degrees)))
+"""Directions tried beside the wanted one, nearest first."""
+
+_TIMES = np.array([0.15, 0.35, 0.6, 0.9])
+
+
+class Avoid:
+    """Keeps one robot clear of obstacles. Holds no run-time state.
+
+    Args:
+        spec: the robot's outline and limits.
+        settings: distances.
+    """
+
+    def __init__(self, spec: RobotSpec, settings: AvoidSettings | None = None) -> None:
+        self.spec = spec
+        self.settings = settings or AvoidSettings()
+        front = spec.gripper.x_front if spec.gripper else spec.length / 2
+        self._outline = (-spec.length / 2, front + 0.02, spec.width / 2)
+
+    def steer(self, head: Head, obstacles: Points, aim: Point | None, aim_radius: float) -> Drive:
+        """Speeds that go in a direction, around what stands in the way.
+
+        Args:
+            head: wanted direction and speed.
+            obstacles: robot's frame, shape ``(n, 2)``.
+            aim: what is approached on purpose, or None.
+            aim_radius: its radius.
+        """
+        reach = self.settings.look_ahead
+        if aim is not None:
+            reach = min(reach, aim.distance)
+            obstacles = _without(obstacles, aim, aim_radius + 0.12)
+        bearing = self._free_bearing(head.bearing, obstacles, reach)
+        if bearing is None:
+            return Drive(angular=math.copysign(0.6, head.bearing))
+        angular = max(-1.2, min(1.2, 2.0 * bearing))
+        # Turn on the spot towards what lies aside; slow down in proportion before that.
+        linear = head.speed * max(0.0, math.cos(min(math.pi / 2, 1.5 * abs(bearing))))
+        return Drive(linear=linear, angular=angular)
+
+    def _free_bearing(self, wanted: float, obstacles: Points, reach: float) -> float | None:
+        near = obstacles[np.hypot(obstacles[:, 0], obstacles[:, 1]) < reach + self.settings.corridor]
+        if not len(near):
+            return wanted
+        bearings = wanted + _OFFSETS
+        cos, sin = np.cos(bearings)[:, None], np.sin(bearings)[:, None]
+        along = cos * near[:, 0] + sin * near[:, 1]
+        across = -sin * near[:, 0] + cos * near[:, 1]
+        blocked = ((along > 0.05) & (along < reach) & (np.abs(across) < self.settings.corridor)).any(axis=1)
+        free = np.flatnonzero(~blocked)
+        return wrap_angle(float(bearings[free[0]])) if len(free) else None
+
+    def guard(self, drive: Drive, obstacles: Points, aim: Point | None, aim_radius: float) -> tuple[Drive, bool]:
+        """The speeds themselves if they are safe, else the mildest change of them that is.
+
+        Returns:
+            The speeds, and whether they were overridden.
+        """
+        limit = max(abs(self._outline[1]), abs(self._outline[0])) + self.spec.max_linear * self.settings.horizon + 0.1
+        near = obstacles[np.hypot(obstacles[:, 0], obstacles[:, 1]) < limit]
+        if not len(near):
+            return drive, False
+        margins = np.full(len(near), self.settings.margin)
+        if aim is not None:
+            close = np.hypot(near[:, 0] - aim.x, near[:, 1] - aim.y) < aim_radius + 0.12
+            margins[close] = self.settings.aim_margin
+        # What is within the margin already may stay there, but not come nearer.
+        margins = np.minimum(margins, self._clearance(near) - 0.005)
+        if self._safe(drive, near, margins):
+            return drive, False
+        linear, angular = drive.linear, drive.angular
+        turn = angular if abs(angular) > 0.2 else 0.5
+        for choice in (
+            Drive(linear=0.5 * linear, angular=angular),
+            Drive(angular=angular),
+            Drive(linear=-0.12, angular=0.5 * turn),
+            Drive(linear=-0.12),
+            Drive(linear=-0.12, angular=-0.5 * turn),
+            Drive(linear=0.12),
+            Drive(linear=0.12, angular=turn),
+            Drive(linear=0.12, angular=-turn),
+            Drive(angular=-turn),
+        ):
+            if choice != drive and (choice.linear or choice.angular) and self._safe(choice, near, margins):
+                return choice, True
+        return Drive(), True
+
+    def _safe(self, drive: Drive, points: Points, margins: NDArray[np.float64]) -> bool:
+        for time_s in _TIMES:
+            turn, forward = drive.angular * time_s, drive.linear * time_s
+            x, y = forward * math.cos(turn / 2), forward * math.sin(turn / 2)
+            cos, sin = math.cos(turn), math.sin(turn)
+            shifted = points - (x, y)
+            local = np.column_stack((shifted @ (cos, sin), shifted @ (-sin, cos)))
+            if (self._clearance(local) < margins).any():
+                return False
+        return True
+
+    def _clearance(self, points: Points) -> NDArray[np.float64]:
+        """Distance of points from the robot's outline, a rectangle; negative inside."""
+        back, front, half_width = self._outline
+        dx = np.maximum(back - points[:, 0], points[:, 0] - front)
+        dy = np.abs(points[:, 1]) - half_width
+        clearance: NDArray[np.float64] = np.hypot(np.maximum(dx, 0), np.maximum(dy, 0)) + np.minimum(
+            np.maximum(dx, dy), 0
+        )
+        return clearance
+
+
+def _without(points: Points, center: Point, radius: float) -> Points:
+    return points[np.hypot(points[:, 0] - center.x, points[:, 1] - center.y) > radius]

@@ -1,0 +1,202 @@
+"""What a skill is: an abstract behavior that knows its goal, and a primitive behavior that reaches it (§3.2).
+
+A skill holds no run-time data. What a primitive must remember from one tick to the next it hands back as its
+memory, a plain value that the execution's context keeps.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from random import Random
+from typing import Any, Literal, NamedTuple, Protocol
+
+from understudy.errors import SkillError
+from understudy.geometry import Point
+from understudy.perception import Percepts
+from understudy.robot import Color
+
+__all__ = [
+    "AbstractBehavior",
+    "Action",
+    "Actuator",
+    "Drive",
+    "Head",
+    "Instance",
+    "Memory",
+    "Parameter",
+    "Parameters",
+    "PrimitiveBehavior",
+    "Skill",
+]
+
+Parameters = Mapping[str, Any]
+"""Parameter values by name, checked and complete: colors as :class:`Color`, numbers as float."""
+
+Memory = Mapping[str, Any]
+"""What a primitive remembers between ticks; plain data. Empty when it starts."""
+
+
+class Actuator(StrEnum):
+    """What a behavior may lock (§3.3.2)."""
+
+    WHEELS = "wheels"
+    GRIPPER = "gripper"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Parameter:
+    """One parameter of a skill.
+
+    Attributes:
+        name: with its unit, ``distance_m``.
+        kind: a color tells instances of a behavior apart; a number is continuous.
+        low, high: limits of a number.
+        default: taken where a network gives no value; None makes the parameter obligatory.
+        tolerance: how far from a number the goal still counts as reached.
+    """
+
+    name: str
+    kind: Literal["color", "number"]
+    low: float = 0.0
+    high: float = 0.0
+    default: float | None = None
+    tolerance: float = 0.0
+
+    def check(self, skill: str, value: object) -> Color | float:
+        """The value as the skill takes it.
+
+        Raises:
+            SkillError: not a trained color, or not a number within the limits.
+        """
+        if self.kind == "color":
+            try:
+                return Color(str(value))
+            except ValueError:
+                colors = ", ".join(Color)
+                raise SkillError(f"{skill}: {value!r} is no trained color; {self.name} is one of: {colors}") from None
+        if isinstance(value, bool) or not isinstance(value, int | float) or not self.low <= value <= self.high:
+            raise SkillError(f"{skill}: {self.name} is {value!r}; it is a number from {self.low:g} to {self.high:g}")
+        return float(value)
+
+
+class Instance(NamedTuple):
+    """A behavior with its discrete parameters: what the learner tells apart (semantics §4)."""
+
+    behavior: str
+    parameters: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drive:
+    """Speeds for the wheels as they are: m/s forward, rad/s left."""
+
+    linear: float = 0.0
+    angular: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Head:
+    """Go in a direction of the robot's frame (radians, left positive) at a speed (m/s); obstacles are gone around."""
+
+    bearing: float
+    speed: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Action:
+    """What a primitive behavior asks for in one tick.
+
+    Attributes:
+        drive: for the wheels; None where the skill does not drive.
+        paddles, lift: for the gripper; None leaves it as it is.
+        aim: the thing that the skill approaches on purpose; ``Avoid`` does not fight that (semantics §1).
+        aim_radius: its radius, metres.
+        keep_on: the port ``Continue``: do not interrupt me yet (§3.2.2).
+    """
+
+    drive: Drive | Head | None = None
+    paddles: Literal["open", "close"] | None = None
+    lift: Literal["up", "down"] | None = None
+    aim: Point | None = None
+    aim_radius: float = 0.0
+    keep_on: bool = False
+
+
+class AbstractBehavior(Protocol):
+    """The perceptual half of a skill. It never commands anything."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]: ...
+
+    @property
+    def actuators(self) -> frozenset[Actuator]:
+        """What its primitive controls, and locks while it executes."""
+        ...
+
+    @property
+    def maintaining(self) -> bool:
+        """Its goal holds only while it acts (§4.3, Figure 4.1)."""
+        ...
+
+    def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
+        """Whether its postconditions hold now: the port ``Effects``."""
+        ...
+
+    def precondition(self, percepts: Percepts, parameters: Parameters) -> bool:
+        """Whether the world lets its primitive act now; otherwise the robot must search (semantics §1)."""
+        ...
+
+    def observe(self, percepts: Percepts) -> Mapping[Instance, Mapping[str, float]]:
+        """For the learner: which instances' goals hold, or could hold, now.
+
+        Returns:
+            For every instance, the continuous parameter values that would make its goal true right now; empty for a
+            goal without such parameters, which then simply holds (§4.3).
+        """
+        ...
+
+    def describe(self, parameters: Parameters) -> str:
+        """The goal in plain words, as a step of a task: ``go to the green target``."""
+        ...
+
+
+class PrimitiveBehavior(Protocol):
+    """The active half of a skill: while its abstract behavior is active it computes commands."""
+
+    def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
+        """The action for this tick, and what to remember for the next."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Skill:
+    """An abstract behavior with the primitive that reaches its goal."""
+
+    abstract: AbstractBehavior
+    primitive: PrimitiveBehavior
+
+    @property
+    def name(self) -> str:
+        return self.abstract.name
+
+    def complete(self, given: Mapping[str, object]) -> Parameters:
+        """Checks given parameter values and adds the defaults.
+
+        Raises:
+            SkillError: an unknown name, a missing value, or a value that does not fit.
+        """
+        known = {parameter.name: parameter for parameter in self.abstract.parameters}
+        for name in given:
+            if name not in known:
+                takes = ", ".join(known) or "no parameters"
+                raise SkillError(f"{self.name} has no parameter {name!r}; it takes {takes}")
+        values: dict[str, Color | float] = {}
+        for name, parameter in known.items():
+            value = given.get(name, parameter.default)
+            if value is None:
+                raise SkillError(f"{self.name} needs a value for {name!r}")
+            values[name] = parameter.check(self.name, value)
+        return values

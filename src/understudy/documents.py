@@ -1,0 +1,141 @@
+"""What all documents have in common: YAML or JSON, closed, frozen, and refused with a reason.
+
+The file is read as text, then as plain data, then into models; whatever is wrong on the way becomes one line that names the file, the
+place in it, and what would be valid there.
+"""
+
+import difflib
+import json
+from collections.abc import Hashable, Mapping
+from pathlib import Path
+from typing import Any, ClassVar
+
+import yaml
+from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler, ValidationError, model_validator
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, PydanticCustomError
+
+from understudy.errors import DocumentError
+
+__all__ = ["Part", "first_fault", "path_text", "read_data"]
+
+# libyaml is ten times faster than the reader in Python; it is missing where PyYAML was built without it.
+_SafeLoader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+class _Loader(_SafeLoader):  # type: ignore[misc]  # its base is chosen above
+    """YAML's safe loader, which also refuses a key that is given twice."""
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
+        seen: set[str] = set()
+        for key, _ in node.value:
+            if key.value in seen:
+                raise yaml.constructor.ConstructorError(
+                    None, None, f"the key {key.value!r} is given twice", key.start_mark
+                )
+            seen.add(key.value)
+        mapping: dict[Hashable, Any] = super().construct_mapping(node, deep=deep)
+        return mapping
+
+
+class Part(BaseModel):
+    """One mapping of the document.
+
+    A part with a ``shorthand`` may also be written as that field's value alone: ``say: HERE`` for ``say: {word: HERE}``.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, validate_by_alias=True, validate_by_name=True)
+
+    shorthand: ClassVar[str | None] = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _only_known_keys(cls, given: Any) -> Any:
+        if not isinstance(given, Mapping):
+            if cls.shorthand is not None and given is not None and not isinstance(given, Part):
+                return {cls.shorthand: given}
+            return given
+        known = [field.alias or name for name, field in cls.model_fields.items()]
+        for key in given:
+            if key not in known and key not in cls.model_fields:
+                close = difflib.get_close_matches(str(key), known, n=1, cutoff=0.5)
+                hint = f"did you mean {close[0]!r}? " if close else ""
+                raise PydanticCustomError(
+                    "unknown_key",
+                    "unknown key {key}; {hint}allowed here: {allowed}",
+                    {"key": repr(key), "hint": hint, "allowed": ", ".join(known), "leaf": str(key)},
+                )
+        return given
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        schema = handler(core)
+        if cls.shorthand is None:
+            return schema
+        full = handler.resolve_ref_schema(schema)
+        short = full["properties"][cls.shorthand]
+        return {"anyOf": [short, schema], "title": full.get("title", cls.__name__)}
+
+
+def read_data(path: str | Path, kind: type[DocumentError] = DocumentError) -> Any:
+    """The plain data of a document: JSON if the file's name ends in ``.json``, YAML otherwise.
+
+    Args:
+        path: of the file.
+        kind: the error to raise.
+
+    Raises:
+        DocumentError: the file cannot be read, is not text, or is not YAML or JSON.
+    """
+    path = Path(path)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise kind("the file is no text in UTF-8, so it is no document", source=str(path)) from None
+    except OSError as error:
+        raise kind(f"the file cannot be read: {error.strerror or error}", source=str(path)) from None
+    try:
+        return json.loads(text) if path.suffix.lower() == ".json" else yaml.load(text, Loader=_Loader)
+    except json.JSONDecodeError as error:
+        place = f"line {error.lineno}, column {error.colno}"
+        raise kind(f"this is no JSON: {error.msg}", source=str(path), path=place) from None
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        place = f"line {mark.line + 1}, column {mark.column + 1}" if mark else ""
+        raise kind(f"this is no YAML: {error.problem or error.context}", source=str(path), path=place) from None
+    except (yaml.YAMLError, ValueError) as error:  # ValueError: YAML's 2024-13-45
+        raise kind(f"this is no YAML: {' '.join(str(error).split())}", source=str(path)) from None
+
+
+def path_text(location: tuple[int | str, ...]) -> str:
+    """``("targets", 2, "color")`` as ``targets[2].color``."""
+    text = ""
+    for step in location:
+        text += f"[{step}]" if isinstance(step, int) else f".{step}" if text else step
+    return text
+
+
+def first_fault(
+    error: ValidationError, source: str, kind: type[DocumentError] = DocumentError
+) -> DocumentError:
+    """The first problem that pydantic found, as one line with its path."""
+    fault = error.errors(include_url=False)[0]
+    context: dict[str, Any] = fault.get("ctx", {})
+    location = fault["loc"]
+    given = fault["input"]
+    match fault["type"]:
+        case "unknown_key":
+            problem, location = fault["msg"], (*location, context["leaf"])
+        case "missing":
+            problem = "this key is required and missing"
+        case "enum" | "literal_error":
+            allowed = context["expected"].replace("'", "").replace(" or ", ", ")
+            problem = f"{given!r} is unknown here; choose one of: {allowed}"
+        case "model_type" | "dict_type":
+            problem = f"expected a mapping (key: value), given {given!r}"
+        case "missing_argument" | "too_short" | "too_long" | "tuple_type":
+            problem = f"expected a list such as [x, y], given {given!r}"
+        case _:
+            message = fault["msg"]
+            problem = f"{message[0].lower()}{message[1:]}" + ("" if "given" in message else f", given {given!r}")
+    return kind(problem, source=source, path=path_text(location))

@@ -1,0 +1,78 @@
+"""Every error that a user of Understudy can meet.
+
+The tree::
+
+    UnderstudyError
+    ├── DocumentError        a document (world, task, intervals) is malformed
+    │   ├── WorldError
+    │   └── NetworkError
+    ├── SkillError           an unknown skill, or a parameter that a skill does not take
+    ├── RobotError           the robot's readings cannot be used, or it stopped answering
+    ├── RecordingError       a recording cannot be read or written
+    ├── LearningError        a demonstration holds nothing that can be learned
+    └── MissingExtraError    an optional package is not installed
+
+A message says what was given, what would have been valid, and how to mend it, in one or two lines.
+The command line prints it without a traceback and exits with 2.
+"""
+
+__all__ = [
+    "DocumentError",
+    "LearningError",
+    "MissingExtraError",
+    "NetworkError",
+    "RecordingError",
+    "RobotError",
+    "SkillError",
+    "UnderstudyError",
+    "WorldError",
+]
+
+
+class UnderstudyError(Exception):
+    """Root of all errors that Understudy raises on purpose."""
+
+
+class DocumentError(UnderstudyError):
+    """A document is malformed.
+
+    Args:
+        problem: what is wrong and what would be valid.
+        source: the file, or another name of the document.
+        path: where in the document, for example ``targets[2].color``.
+    """
+
+    def __init__(self, problem: str, *, source: str = "", path: str = "") -> None:
+        self.problem = problem
+        self.source = source
+        self.path = path
+        where = ": ".join(part for part in (source, path) if part)
+        super().__init__(f"{where}: {problem}" if where else problem)
+
+
+class WorldError(DocumentError):
+    """A world document is malformed."""
+
+
+class NetworkError(DocumentError):
+    """A behavior network is malformed: a cycle, a dangling link, two components with one id."""
+
+
+class SkillError(UnderstudyError):
+    """An unknown skill, or parameter values that the skill does not take."""
+
+
+class RobotError(UnderstudyError):
+    """The robot's readings cannot be used, or it stopped answering."""
+
+
+class RecordingError(UnderstudyError):
+    """A recording cannot be read or written."""
+
+
+class LearningError(UnderstudyError):
+    """A demonstration holds nothing that can be learned."""
+
+
+class MissingExtraError(UnderstudyError):
+    """An optional package is not installed; the message names the extra."""

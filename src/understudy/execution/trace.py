@@ -1,0 +1,48 @@
+"""What happened in a run, and why: one event for every change of state and every refusal (semantics §3)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from types import MappingProxyType
+from typing import Any
+
+__all__ = ["Event", "State"]
+
+
+class State(StrEnum):
+    """What a component is doing, as people are told."""
+
+    WAITING = "waiting"
+    """Needed, but a precondition is missing; the event says which."""
+    INHIBITED = "inhibited"
+    """A rival executes."""
+    SEARCHING = "searching"
+    """Active, but its world precondition does not hold, or its actuators are another's."""
+    EXECUTING = "executing"
+    ACHIEVED = "achieved"
+    """Achieved, and nobody needs it now."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Event:
+    """One entry of the trace.
+
+    Attributes:
+        time_s: of the observation that brought it about.
+        kind: ``state``, ``goal`` (a component's goal came true or ceased), ``achieved``, ``reached`` (on purpose: the beep of
+            A.4), ``avoid``, ``complete``, ``stopped``.
+        component: its id, where it is about one.
+        detail: what else belongs to it, plain data: the new state, the reason of a refusal, the component in the way.
+    """
+
+    time_s: float
+    kind: str
+    component: str = ""
+    detail: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+
+    def as_record(self) -> dict[str, Any]:
+        """As it stands in a recording: one flat JSON object."""
+        record: dict[str, Any] = {"time_s": self.time_s, "kind": self.kind}
+        if self.component:
+            record["component"] = self.component
+        return record | dict(self.detail)

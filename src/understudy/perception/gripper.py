@@ -1,0 +1,60 @@
+"""What the gripper holds, and of which color (A.3)."""
+
+from understudy.geometry import Point, Pose
+from understudy.perception.memory import Memory
+from understudy.perception.percepts import GripperState
+from understudy.robot import Color, GripperReading, RobotSpec
+
+__all__ = ["GripperSense"]
+
+_SETTLE = 2
+"""Readings in a row before a change is believed: the beam flickers while a box slides in."""
+
+_CLOSED_BELOW = 0.80
+"""Paddles closed on a box stand at about half of their opening; wide open they read 1."""
+
+_OPEN_ABOVE = 0.92
+_RAISED_ABOVE = 0.8
+_REACH = 0.35
+"""A remembered box at most this far from the beam, in metres, is the one that broke it."""
+
+
+class GripperSense:
+    """Debounces the gripper's sensors and remembers the color of what it took.
+
+    Its state is plain data: the settled beam, the colour, and a count.
+    """
+
+    def __init__(self, spec: RobotSpec) -> None:
+        self.spec = spec
+        self.blocked = False
+        self.color: Color | None = None
+        self.holding = False
+        self._differs = 0
+
+    def update(self, time_s: float, pose: Pose, reading: GripperReading | None, boxes: Memory) -> GripperState | None:
+        """The gripper's state now; the box that it takes hold of leaves the memory of things on the floor."""
+        if reading is None or self.spec.gripper is None:
+            return None
+        self._differs = self._differs + 1 if reading.beam_broken != self.blocked else 0
+        if self._differs >= _SETTLE:
+            self.blocked, self._differs = reading.beam_broken, 0
+        holding = self.blocked and reading.aperture < _CLOSED_BELOW
+        if self.blocked:
+            # What stands between the paddles is not on the floor for the taking.
+            track = boxes.nearest(pose.to_parent(Point(self.spec.gripper.x_beam, 0.0)), _REACH)
+            if track is not None and track.believed:
+                self.color = self.color or track.color
+                if holding:
+                    boxes.forget(track)
+        else:
+            self.color = None
+        self.holding = holding
+        return GripperState(
+            holding=holding,
+            empty=not self.blocked,
+            color=self.color if holding else None,
+            open=reading.aperture > _OPEN_ABOVE,
+            raised=reading.lift > _RAISED_ABOVE,
+            blocked=self.blocked,
+        )

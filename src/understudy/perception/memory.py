@@ -1,0 +1,129 @@
+"""Working memory: things keep their place while the robot moves, until the sensors contradict (§3.5.3.2, Figure 3.9)."""
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from understudy.geometry import Point, Pose
+from understudy.perception.percepts import Thing
+from understudy.robot import Color
+
+__all__ = ["Memory", "MemorySettings", "Track"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MemorySettings:
+    """How quickly the memory believes and forgets.
+
+    Attributes:
+        confirm: sightings by the camera before a thing is believed; a false blob rarely comes twice in one place.
+        confirm_within_s: they must come within this time.
+        forget: contradictions in a row after which a thing is forgotten.
+        gate_m: a sighting this near to a remembered place is the same thing.
+        gate_per_m: added for every metre of distance, since far sightings are less exact.
+        smoothing: weight of a new position against the remembered one.
+    """
+
+    confirm: int = 3
+    confirm_within_s: float = 1.0
+    forget: int = 8
+    gate_m: float = 0.30
+    gate_per_m: float = 0.05
+    smoothing: float = 0.6
+
+
+@dataclass(slots=True)
+class Track:
+    """One remembered thing; ``place`` is in the odometry's frame."""
+
+    id: int
+    place: Point
+    radius: float
+    first_s: float
+    seen_s: float
+    votes: Counter[Color] = field(default_factory=Counter)
+    sightings: int = 0
+    misses: int = 0
+    believed: bool = False
+
+    @property
+    def color(self) -> Color:
+        return self.votes.most_common(1)[0][0]
+
+
+class Memory:
+    """The things of one kind (targets, boxes, or people) that the robot believes in.
+
+    All its state is in :attr:`tracks` and :attr:`next_id`, plain data.
+    """
+
+    def __init__(self, settings: MemorySettings | None = None) -> None:
+        self.settings = settings or MemorySettings()
+        self.tracks: list[Track] = []
+        self.next_id = 1
+
+    def nearest(self, place: Point, reach: float) -> Track | None:
+        """The track nearest to a place of the odometry's frame, at most ``reach`` metres away."""
+        best, best_distance = None, reach
+        for track in self.tracks:
+            distance = track.place.distance_to(place)
+            if distance <= best_distance:
+                best, best_distance = track, distance
+        return best
+
+    def sighted(self, time_s: float, pose: Pose, position: Point, radius: float, color: Color) -> Track:
+        """The camera saw a thing of a color at ``position`` (robot's frame)."""
+        place = pose.to_parent(position)
+        track = self.nearest(place, self.settings.gate_m + self.settings.gate_per_m * position.distance)
+        if track is None:
+            track = Track(self.next_id, place, radius, time_s, time_s)
+            self.next_id += 1
+            self.tracks.append(track)
+        self._move(track, time_s, place, radius)
+        track.votes[color] += 1
+        track.sightings += 1
+        if track.sightings >= self.settings.confirm:
+            track.believed = True
+        return track
+
+    def felt(self, track: Track, time_s: float, pose: Pose, position: Point, radius: float) -> None:
+        """The laser met a believed thing at ``position`` (robot's frame); it tells no color."""
+        self._move(track, time_s, pose.to_parent(position), radius)
+
+    def _move(self, track: Track, time_s: float, place: Point, radius: float) -> None:
+        keep, take = 1 - self.settings.smoothing, self.settings.smoothing
+        track.place = Point(keep * track.place.x + take * place.x, keep * track.place.y + take * place.y)
+        track.radius = 0.8 * track.radius + 0.2 * radius
+        track.seen_s = time_s
+        track.misses = 0
+
+    def contradict(self, time_s: float, missing: Callable[[Track], bool]) -> None:
+        """Counts a miss for every track not met now that ``missing`` says should have been, and forgets."""
+        kept: list[Track] = []
+        for track in self.tracks:
+            if track.seen_s < time_s and missing(track):
+                track.misses += 1
+            stale = not track.believed and time_s - track.first_s > self.settings.confirm_within_s
+            if track.misses < self.settings.forget and not stale:
+                kept.append(track)
+        self.tracks = kept
+
+    def forget(self, track: Track) -> None:
+        """Takes a thing out of memory, for example because the gripper holds it now."""
+        self.tracks = [other for other in self.tracks if other is not track]
+
+    def things(self, time_s: float, pose: Pose) -> list[Thing]:
+        """The believed things in the robot's frame, nearest first."""
+        found = [
+            Thing(
+                id=track.id,
+                color=track.color,
+                position=pose.to_local(track.place),
+                radius=track.radius,
+                sensed=track.seen_s == time_s,
+                seen_s=track.seen_s,
+            )
+            for track in self.tracks
+            if track.believed
+        ]
+        return sorted(found, key=lambda thing: (thing.distance_m, thing.id))

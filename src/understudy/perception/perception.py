@@ -1,0 +1,208 @@
+"""From observations to percepts: camera and laser merged, with working memory (§3.5.3.2, A.3)."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from understudy.geometry import Point, Pose
+from understudy.perception.blobs import Blob, find_blobs
+from understudy.perception.cylinders import Cylinder, find_cylinders
+from understudy.perception.gripper import GripperSense
+from understudy.perception.memory import Memory, MemorySettings, Track
+from understudy.perception.percepts import Percepts
+from understudy.perception.projection import Projection
+from understudy.robot import TEACHER_COLOR, Observation, RobotSpec, Scan
+
+__all__ = ["Perception", "PerceptionSettings"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PerceptionSettings:
+    """Limits of what the robot believes to see; metres.
+
+    Attributes:
+        target_range: farther tall blobs are too small to be trusted.
+        box_range: farther boxes stand in too few pixels for their distance to be told.
+        teacher_range: up to here the teacher is recognised (A.3).
+        laser_gate: a laser object this near to a remembered place is that thing.
+    """
+
+    target_range: float = 6.0
+    box_range: float = 3.0
+    teacher_range: float = 2.0
+    laser_gate: float = 0.25
+
+
+_TALL_TOP = 0.45
+_BOX_TOP = 0.08
+_BOX_RADIUS = 0.05
+_BEARING_SLACK = math.radians(3.0)
+
+
+class Perception:
+    """Merges the sensors into percepts. Call :meth:`update` once for every observation, in order.
+
+    Args:
+        spec: the robot whose sensors these are.
+        settings: limits.
+    """
+
+    def __init__(self, spec: RobotSpec, settings: PerceptionSettings | None = None) -> None:
+        self.spec = spec
+        self.settings = settings or PerceptionSettings()
+        self.projection = Projection(spec.camera)
+        self.targets = Memory()
+        # A box is seen in few pixels, and it moves when it is pushed.
+        self.boxes = Memory(MemorySettings(gate_m=0.20, gate_per_m=0.10))
+        # People walk: half a metre per sighting is generous at 10 Hz, yet keeps two people apart.
+        self.people = Memory(MemorySettings(gate_m=0.45, forget=4, smoothing=0.9))
+        self.gripper = GripperSense(spec)
+
+    def update(self, observation: Observation) -> Percepts:
+        """The percepts of one observation.
+
+        Raises:
+            RobotError: the readings cannot be used (:meth:`Observation.check`).
+        """
+        observation.check()
+        time_s, pose = observation.time_s, observation.odometry.pose
+        cylinders = find_cylinders(observation.scan, self.spec.laser.x)
+        if observation.image is not None:
+            self._look(time_s, pose, observation.scan, cylinders, find_blobs(observation.image))
+        self._feel(time_s, pose, cylinders)
+        self._forget(time_s, pose, observation.scan, looked=observation.image is not None)
+        gripper = self.gripper.update(time_s, pose, observation.gripper, self.boxes)
+        people = [
+            thing
+            for thing in self.people.things(time_s, pose)
+            if thing.distance_m <= self.settings.teacher_range and thing.sensed
+        ]
+        return Percepts(
+            time_s=time_s,
+            odometry=observation.odometry,
+            targets=self.targets.things(time_s, pose),
+            boxes=self.boxes.things(time_s, pose),
+            teacher=people[0] if people else None,
+            gripper=gripper,
+            obstacles=self._obstacles(observation),
+        )
+
+    def _look(
+        self, time_s: float, pose: Pose, scan: Scan, cylinders: list[Cylinder], blobs: list[Blob]
+    ) -> None:
+        """Enters the camera's blobs into memory: tall ones by the laser's distance, small ones by the floor's."""
+        for blob in blobs:
+            if blob.top < self.projection.horizon_row - 1:
+                self._look_at_tall(time_s, pose, cylinders, blob)
+            elif blob.color is not TEACHER_COLOR:
+                self._look_at_small(time_s, pose, scan, blob)
+
+    def _look_at_tall(self, time_s: float, pose: Pose, cylinders: list[Cylinder], blob: Blob) -> None:
+        cylinder = self._behind(blob, cylinders)
+        if cylinder is None:
+            return
+        teacher = blob.color is TEACHER_COLOR
+        limit = self.settings.teacher_range + 0.5 if teacher else self.settings.target_range
+        if cylinder.center.distance - cylinder.radius > limit:
+            return
+        memory = self.people if teacher else self.targets
+        memory.sighted(time_s, pose, cylinder.center, cylinder.radius, blob.color)
+
+    def _behind(self, blob: Blob, cylinders: list[Cylinder]) -> Cylinder | None:
+        """The laser's object in the direction of a tall blob: the nearest one, since it hides those behind it."""
+        # Seen from the camera, whose place differs a little from the laser's.
+        camera_x = self.spec.camera.x
+        row = (blob.top + blob.bottom) / 2
+        left = self.projection.bearing(blob.left - 0.5, row) + _BEARING_SLACK
+        right = self.projection.bearing(blob.right + 0.5, row) - _BEARING_SLACK
+        best: Cylinder | None = None
+        for cylinder in cylinders:
+            bearing = math.atan2(cylinder.center.y, cylinder.center.x - camera_x)
+            if right <= bearing <= left and (best is None or cylinder.center.distance < best.center.distance):
+                best = cylinder
+        return best
+
+    def _look_at_small(self, time_s: float, pose: Pose, scan: Scan, blob: Blob) -> None:
+        camera = self.spec.camera
+        if blob.bottom >= camera.rows - 2 or blob.left <= 0 or blob.right >= camera.width - 1:
+            return  # cut off by the image's border: its foot, or its middle, is not to be seen
+        foot = self.projection.floor_point(blob.column, blob.bottom + 0.5)
+        if foot is None or foot.distance > self.settings.box_range:
+            return
+        bearing = math.atan2(foot.y, foot.x - camera.x)
+        position = Point(foot.x + _BOX_RADIUS * math.cos(bearing), foot.y + _BOX_RADIUS * math.sin(bearing))
+        if self._range_towards(scan, position) < position.distance - 0.15:
+            return  # a low stripe of something tall that stands before it
+        self.boxes.sighted(time_s, pose, position, _BOX_RADIUS, blob.color)
+
+    def _feel(self, time_s: float, pose: Pose, cylinders: list[Cylinder]) -> None:
+        """Follows believed things by the laser alone, beyond the camera's field (Figure 3.9)."""
+        free = list(cylinders)
+        for memory in (self.people, self.targets):
+            for track in memory.tracks:
+                here = pose.to_local(track.place)
+                gate = self.settings.laser_gate if memory is self.targets else memory.settings.gate_m
+                near = min(free, key=lambda cylinder: cylinder.center.distance_to(here), default=None)
+                if near is None or near.center.distance_to(here) > gate:
+                    continue
+                free.remove(near)
+                if track.believed and track.seen_s < time_s:
+                    memory.felt(track, time_s, pose, near.center, near.radius)
+
+    def _forget(self, time_s: float, pose: Pose, scan: Scan, *, looked: bool) -> None:
+        """Forgets what should have been met and was not."""
+
+        def tall_missing(track: Track) -> bool:
+            here = pose.to_local(track.place)
+            if here.distance > self.settings.target_range - 0.5:
+                return False
+            seen_through = self._range_towards(scan, here) > here.distance + track.radius + 0.25
+            in_view = looked and self.projection.sees(here, _TALL_TOP / 2, margin=6)
+            return seen_through and (in_view or here.distance < 4.0)
+
+        def box_missing(track: Track) -> bool:
+            here = pose.to_local(track.place)
+            if not looked or here.distance > self.settings.box_range - 0.3:
+                return False
+            hidden = self._range_towards(scan, here) < here.distance - 0.05
+            low_in_view = self.projection.sees(here, 0.0, margin=8)
+            return low_in_view and self.projection.sees(here, _BOX_TOP, margin=8) and not hidden
+
+        self.targets.contradict(time_s, tall_missing)
+        self.boxes.contradict(time_s, box_missing)
+        self.people.contradict(time_s, lambda track: True)
+
+    def _range_towards(self, scan: Scan, here: Point) -> float:
+        """What the laser measures in the direction of a point of the robot's frame, from the robot's origin.
+
+        Zero outside of its field, where it knows nothing.
+        """
+        laser_x = self.spec.laser.x
+        bearing = math.atan2(here.y, here.x - laser_x)
+        index = round((bearing - scan.angle_min) / scan.angle_increment)
+        if not 0 <= index < len(scan.ranges):
+            return 0.0
+        reading = float(scan.ranges[index])
+        if math.isnan(reading):
+            return 0.0
+        reading = min(reading, scan.range_max)
+        return math.hypot(laser_x + reading * math.cos(bearing), reading * math.sin(bearing))
+
+    def _obstacles(self, observation: Observation) -> NDArray[np.float64]:
+        scan = observation.scan
+        ranges = scan.ranges.astype(np.float64)
+        usable = np.isfinite(ranges) & (ranges < scan.range_max)
+        angles = scan.angle_min + scan.angle_increment * np.flatnonzero(usable)
+        reach = ranges[usable]
+        laser = np.column_stack((self.spec.laser.x + reach * np.cos(angles), reach * np.sin(angles)))
+        sonar = observation.sonar
+        echoes = [
+            (mount.x + distance * math.cos(mount.heading), mount.y + distance * math.sin(mount.heading))
+            for mount, distance in zip(self.spec.sonar_poses, sonar.tolist(), strict=False)
+            # The laser sees the front better; a sonar's far echo may come from anywhere in its cone.
+            if mount.x < 0 and distance < 1.0
+        ]
+        return np.concatenate((laser, np.array(echoes))) if echoes else laser
+

@@ -1,0 +1,33 @@
+"""What a robot is: its observations, its commands, its numbers."""
+
+from understudy.robot.colors import RGB, TEACHER_COLOR, Color
+from understudy.robot.command import STOP, Command
+from understudy.robot.cues import Cue
+from understudy.robot.journal import Journal, NoJournal
+from understudy.robot.loop import DEADMAN_S, control
+from understudy.robot.observation import GripperReading, Observation, Odometry, Scan
+from understudy.robot.pioneer import PIONEER, CameraMount, GripperGeometry, LaserMount, RobotSpec
+from understudy.robot.protocol import Robot
+
+__all__ = [
+    "DEADMAN_S",
+    "PIONEER",
+    "RGB",
+    "STOP",
+    "TEACHER_COLOR",
+    "CameraMount",
+    "Color",
+    "Command",
+    "Cue",
+    "GripperGeometry",
+    "GripperReading",
+    "Journal",
+    "LaserMount",
+    "NoJournal",
+    "Observation",
+    "Odometry",
+    "Robot",
+    "RobotSpec",
+    "Scan",
+    "control",
+]

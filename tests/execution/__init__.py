@@ -1,0 +1,1 @@
+"""Tests of behavior-network execution, with an independent reference to compare against."""
