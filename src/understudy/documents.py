@@ -6,18 +6,19 @@ place in it, and what would be valid there.
 
 import difflib
 import json
+import math
 from collections.abc import Hashable, Mapping
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import yaml
-from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler, ValidationError, model_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, GetJsonSchemaHandler, ValidationError, model_validator
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from understudy.errors import DocumentError
 
-__all__ = ["Part", "first_fault", "path_text", "read_data"]
+__all__ = ["Part", "TextOrNumber", "first_fault", "path_text", "read_data"]
 
 # libyaml is ten times faster than the reader in Python; it is missing where PyYAML was built without it.
 _SafeLoader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -36,6 +37,17 @@ class _Loader(_SafeLoader):  # type: ignore[misc]  # its base is chosen above
             seen.add(key.value)
         mapping: dict[Hashable, Any] = super().construct_mapping(node, deep=deep)
         return mapping
+
+
+def _text_or_number(given: Any) -> Any:
+    fits = isinstance(given, str) or (isinstance(given, int | float) and not isinstance(given, bool))
+    if not fits or (isinstance(given, float) and not math.isfinite(given)):
+        raise PydanticCustomError("text_or_number", "this must be text or a number, given {given}", {"given": repr(given)})
+    return given
+
+
+TextOrNumber = Annotated[str | float, BeforeValidator(_text_or_number)]
+"""A parameter's value. The check comes before pydantic's union, whose own message would name both alternatives."""
 
 
 class Part(BaseModel):
@@ -115,14 +127,12 @@ def path_text(location: tuple[int | str, ...]) -> str:
     return text
 
 
-def first_fault(
-    error: ValidationError, source: str, kind: type[DocumentError] = DocumentError
-) -> DocumentError:
+def first_fault(error: ValidationError, source: str, kind: type[DocumentError] = DocumentError) -> DocumentError:
     """The first problem that pydantic found, as one line with its path."""
     fault = error.errors(include_url=False)[0]
     context: dict[str, Any] = fault.get("ctx", {})
     location = fault["loc"]
-    given = fault["input"]
+    given = f"{fault['input']!r:.80}"
     match fault["type"]:
         case "unknown_key":
             problem, location = fault["msg"], (*location, context["leaf"])
@@ -130,12 +140,20 @@ def first_fault(
             problem = "this key is required and missing"
         case "enum" | "literal_error":
             allowed = context["expected"].replace("'", "").replace(" or ", ", ")
-            problem = f"{given!r} is unknown here; choose one of: {allowed}"
+            problem = f"{given} is unknown here; choose one of: {allowed}"
         case "model_type" | "dict_type":
-            problem = f"expected a mapping (key: value), given {given!r}"
-        case "missing_argument" | "too_short" | "too_long" | "tuple_type":
-            problem = f"expected a list such as [x, y], given {given!r}"
+            problem = f"expected a mapping (key: value), given {given}"
+        case "list_type":
+            problem = f"expected a list, given {given}"
+        case "too_short" if not fault["input"]:
+            problem = "this is empty; it takes at least one"
+        case "missing_argument" | "too_short" | "too_long" | "tuple_type" if not isinstance(fault["input"], str):
+            problem = f"expected a list such as [x, y], given {given}"
+        case "string_type":
+            problem = f"this must be text; put it in quotes, given {given}"
+        case "float_type" | "float_parsing":
+            problem = f"this must be a number, given {given}"
         case _:
             message = fault["msg"]
-            problem = f"{message[0].lower()}{message[1:]}" + ("" if "given" in message else f", given {given!r}")
+            problem = f"{message[0].lower()}{message[1:]}" + ("" if "given" in message else f", given {given}")
     return kind(problem, source=source, path=path_text(location))

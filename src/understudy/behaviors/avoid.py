@@ -58,6 +58,7 @@ class Avoid:
         self.settings = settings or AvoidSettings()
         front = spec.gripper.x_front if spec.gripper else spec.length / 2
         self._outline = (-spec.length / 2, front + 0.02, spec.width / 2)
+        self._reach = math.hypot(self._outline[1], self._outline[2])
 
     def steer(self, head: Head, obstacles: Points, aim: Point | None, aim_radius: float) -> Drive:
         """Speeds that go in a direction, around what stands in the way.
@@ -98,8 +99,9 @@ class Avoid:
         Returns:
             The speeds, and whether they were overridden.
         """
-        limit = max(abs(self._outline[1]), abs(self._outline[0])) + self.spec.max_linear * self.settings.horizon + 0.1
-        near = obstacles[np.hypot(obstacles[:, 0], obstacles[:, 1]) < limit]
+        # The alternatives tried below are slow; farther points cannot matter within the horizon.
+        limit = self._reach + self.settings.margin + max(0.12, abs(drive.linear)) * self.settings.horizon
+        near = obstacles[(obstacles * obstacles).sum(axis=1) < limit * limit]
         if not len(near):
             return drive, False
         margins = np.full(len(near), self.settings.margin)
@@ -107,7 +109,7 @@ class Avoid:
             close = np.hypot(near[:, 0] - aim.x, near[:, 1] - aim.y) < aim_radius + 0.12
             margins[close] = self.settings.aim_margin
         # What is within the margin already may stay there, but not come nearer.
-        margins = np.minimum(margins, self._clearance(near) - 0.005)
+        margins = np.minimum(margins, self._clearance(near[:, 0], near[:, 1]) - 0.005)
         if self._safe(drive, near, margins):
             return drive, False
         linear, angular = drive.linear, drive.angular
@@ -128,24 +130,20 @@ class Avoid:
         return Drive(), True
 
     def _safe(self, drive: Drive, points: Points, margins: NDArray[np.float64]) -> bool:
-        for time_s in _TIMES:
-            turn, forward = drive.angular * time_s, drive.linear * time_s
-            x, y = forward * math.cos(turn / 2), forward * math.sin(turn / 2)
-            cos, sin = math.cos(turn), math.sin(turn)
-            shifted = points - (x, y)
-            local = np.column_stack((shifted @ (cos, sin), shifted @ (-sin, cos)))
-            if (self._clearance(local) < margins).any():
-                return False
-        return True
+        """Whether the outline, carried along by the speeds, keeps every point at its margin."""
+        turns, forward = drive.angular * _TIMES, drive.linear * _TIMES
+        cos, sin = np.cos(turns)[:, None], np.sin(turns)[:, None]
+        x = points[:, 0] - (forward * np.cos(turns / 2))[:, None]
+        y = points[:, 1] - (forward * np.sin(turns / 2))[:, None]
+        return bool((self._clearance(cos * x + sin * y, cos * y - sin * x) >= margins).all())
 
-    def _clearance(self, points: Points) -> NDArray[np.float64]:
+    def _clearance(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
         """Distance of points from the robot's outline, a rectangle; negative inside."""
         back, front, half_width = self._outline
-        dx = np.maximum(back - points[:, 0], points[:, 0] - front)
-        dy = np.abs(points[:, 1]) - half_width
-        clearance: NDArray[np.float64] = np.hypot(np.maximum(dx, 0), np.maximum(dy, 0)) + np.minimum(
-            np.maximum(dx, dy), 0
-        )
+        dx = np.maximum(back - x, x - front)
+        dy = np.abs(y) - half_width
+        beyond = np.hypot(np.maximum(dx, 0), np.maximum(dy, 0))
+        clearance: NDArray[np.float64] = beyond + np.minimum(np.maximum(dx, dy), 0)
         return clearance
 
 

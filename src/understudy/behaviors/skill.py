@@ -80,10 +80,19 @@ class Parameter:
 
 
 class Instance(NamedTuple):
-    """A behavior with its discrete parameters: what the learner tells apart (semantics §4)."""
+    """A behavior with its discrete parameters: what the learner tells apart (semantics §4).
+
+    Attributes:
+        behavior: the name of the skill, or any label of an interval document.
+        parameters: names and values of the discrete ones, ``(("color", "green"),)``, always in the same order.
+    """
 
     behavior: str
     parameters: tuple[tuple[str, str], ...] = ()
+
+    def __str__(self) -> str:
+        inside = ", ".join(f"{name}={value}" for name, value in self.parameters)
+        return f"{self.behavior}({inside})" if inside else self.behavior
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from random import Random
 
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
+from understudy.behaviors.stand import Stand, choose_stand
 from understudy.geometry import angle_to_bearing, wrap_angle
 from understudy.perception import Percepts, Thing
 from understudy.robot import TEACHER_COLOR, Color
@@ -59,42 +60,77 @@ class AbstractTrack:
 
 
 def _evaluable(thing: Thing) -> bool:
-    """Sensed now, within the laser's half circle and the distances that the skill can hold."""
-    return thing.sensed and thing.distance_m <= DISTANCE.high and abs(thing.bearing) <= math.radians(95)
+    """Found by the camera, sensed now, within the laser's half circle and the distances that the skill can hold."""
+    return thing.followed and thing.sensed and thing.distance_m <= DISTANCE.high and abs(thing.bearing) <= math.radians(95)
 
 
 class PrimitiveTrack:
-    """Drives along the straight line that brings the target to its distance and angle at once.
+    """Drives to a stand from which the target is at its distance and angle, and turns there until it is so.
 
-    On a line that passes the target's middle at the lateral offset ``h``, the target stands at bearing ``asin(h / R)`` when
-    it is ``R`` away. Choosing ``h = D sin(goal bearing)`` makes both right at the distance ``D``, so that a gate or a slalom pole
-    is passed smoothly. At the right distance but a wrong angle the robot turns on the spot, which changes the angle alone.
+    Any point of a circle around the target will do. The nearest one with room is chosen, less turning counting as less way: so a
+    gate or a slalom pole is passed in one smooth line, and a target in a corner is approached from where there is room.
+    Its memory holds the direction of the chosen stand, and those that it could not reach.
     """
 
     speed = 0.40
+    patience_s = 6.0
+    """Without coming nearer to its stand for so long, the robot gives it up for another one."""
 
     def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         thing = self._chosen(percepts, parameters["color"], memory)
         if thing is None:
             return Action(drive=Drive()), {}
+        if thing.id != memory.get("id"):
+            memory = {"id": thing.id, "avoided": []}
         wanted = thing.radius + parameters["distance_m"]
         goal_bearing = angle_to_bearing(parameters["angle_deg"])
-        away, bearing = thing.position.distance, thing.bearing
+        stand = choose_stand(
+            thing.position,
+            thing.radius,
+            wanted,
+            goal_bearing,
+            percepts.obstacles,
+            percepts.odometry.pose.heading,
+            memory.get("direction"),
+            memory["avoided"],
+        )
+        memory = self._watch_progress(percepts.time_s, stand, memory)
+        close = abs(thing.position.distance - wanted) <= 0.6 * DISTANCE.tolerance
         drive: Drive | Head
-        if away > wanted + 0.6 * DISTANCE.tolerance:
-            offset = wanted * math.sin(goal_bearing)
-            line = math.asin(max(-1.0, min(1.0, offset / away)))
-            # Slow down towards the end, but not on a line that passes by.
-            speed = min(self.speed, 0.10 + 0.8 * (away - wanted) + 0.3 * abs(math.sin(goal_bearing)))
-            drive = Head(bearing=wrap_angle(bearing - line), speed=speed)
-        elif away < wanted - 0.6 * DISTANCE.tolerance:
-            # Too near: leave along the line through the target, forwards or backwards, whichever is the smaller turn.
-            ahead = abs(bearing) < math.pi / 2
-            turn = bearing if ahead else wrap_angle(bearing - math.pi)
-            drive = Drive(linear=-0.12 if ahead else 0.15, angular=_turn(0.5 * turn))
+        if close and (stand.place.distance < 0.15 or memory["turning"]):
+            # At the right distance, turning on the spot changes the angle alone.
+            memory = {**memory, "turning": True}
+            drive = Drive(angular=_turn(1.8 * wrap_angle(thing.bearing - goal_bearing)))
         else:
-            drive = Drive(angular=_turn(1.8 * wrap_angle(bearing - goal_bearing)))
-        return Action(drive=drive, aim=thing.position, aim_radius=thing.radius), {"id": thing.id}
+            memory = {**memory, "turning": False}
+            # Slow down at the end, unless the robot only passes by.
+            passing = abs(wrap_angle(stand.heading - stand.place.bearing)) < math.radians(25)
+            speed = self.speed if passing else min(self.speed, 0.08 + 1.0 * stand.place.distance)
+            if stand.place.distance < 0.25 and abs(stand.place.bearing) > math.pi / 2:
+                # A little too far: back up rather than turn around.
+                back = wrap_angle(stand.place.bearing - math.pi)
+                drive = Drive(linear=-0.12, angular=_turn(0.8 * back))
+            else:
+                drive = Head(bearing=stand.place.bearing, speed=speed)
+        return Action(drive=drive, aim=thing.position, aim_radius=thing.radius), memory
+
+    def _watch_progress(self, time_s: float, stand: Stand, memory: Memory) -> Memory:
+        same = memory.get("direction") == stand.direction
+        nearest, since_s = (memory["nearest"], memory["since_s"]) if same else (math.inf, time_s)
+        left = stand.place.distance + 0.3 * abs(stand.heading)
+        if left < nearest - 0.05:
+            nearest, since_s = left, time_s
+        avoided = memory["avoided"]
+        if time_s - since_s > self.patience_s:
+            avoided, nearest, since_s = [*avoided[-2:], stand.direction], math.inf, time_s
+        return {
+            "id": memory["id"],
+            "direction": stand.direction,
+            "nearest": nearest,
+            "since_s": since_s,
+            "avoided": avoided,
+            "turning": same and memory.get("turning", False),
+        }
 
     @staticmethod
     def _chosen(percepts: Percepts, color: Color, memory: Memory) -> Thing | None:

@@ -106,7 +106,7 @@ class Controller:
                 events.append(Event(time_s=time_s, kind="goal", component=nodes[row].id, detail={"holds": value}))
         for row in step.achieved:
             # Reached by the robot's own doing, and not just found true: the beep of A.4.
-            detail = {"on_purpose": row in purposeful}
+            detail: dict[str, Any] = {"on_purpose": row in purposeful}
             events.append(Event(time_s=time_s, kind="achieved", component=nodes[row].id, detail=detail))
         for row in sorted(step.touched):
             state = self._state(row, step)

@@ -1,7 +1,7 @@
 """Behavior networks as definitions: components, links, evidence, the document."""
 
 from understudy.network.definition import Component, Link, LinkType, Network, ParameterValue
-from understudy.network.document import Task, load_task, parse_task, save_task, task_schema
+from understudy.network.document import Task, load_task, parse_task, save_task, task_schema, task_text
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
 
 __all__ = [
@@ -18,4 +18,5 @@ __all__ = [
     "parse_task",
     "save_task",
     "task_schema",
+    "task_text",
 ]

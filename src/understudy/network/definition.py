@@ -1,6 +1,6 @@
 """A behavior network as it is written down: components, links, inhibitions (§3.3.1, §3.4). No run-time data."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -86,14 +86,15 @@ class Network:
             ids.add(component.id)
         pairs: set[tuple[str, str]] = set()
         for index, link in enumerate(self.links):
-            _check_ends(ids, link.source, link.target, path=f"links[{index}]")
-            if (link.source, link.target) in pairs:
+            pair = link.source, link.target
+            _check_ends(ids, *pair, "links", index)
+            if pair in pairs:
                 raise NetworkError(
                     f"a second link from {link.source!r} to {link.target!r}; keep one of them", path=f"links[{index}]"
                 )
-            pairs.add((link.source, link.target))
+            pairs.add(pair)
         for index, (source, target) in enumerate(self.inhibitions):
-            _check_ends(ids, source, target, path=f"inhibitions[{index}]")
+            _check_ends(ids, source, target, "inhibitions", index)
         _ = self.topological_order
 
     @cached_property
@@ -145,10 +146,10 @@ class Network:
         return tuple(order)
 
 
-def _check_ends(ids: Iterable[str], source: str, target: str, *, path: str) -> None:
-    for end, id_ in (("source", source), ("target", target)):
+def _check_ends(ids: Collection[str], source: str, target: str, field: str, index: int) -> None:
+    for end, id_ in (("from", source), ("to", target)):
         if id_ not in ids:
             known = ", ".join(sorted(ids)) or "none"
-            raise NetworkError(f"no component is called {id_!r}; there are: {known}", path=f"{path}.{end}")
+            raise NetworkError(f"no component is called {id_!r}; there are: {known}", path=f"{field}[{index}].{end}")
     if source == target:
-        raise NetworkError(f"{source!r} is linked to itself", path=path)
+        raise NetworkError(f"{source!r} is linked to itself", path=f"{field}[{index}]")

@@ -7,12 +7,12 @@ from typing import Annotated, Any, Literal
 import yaml
 from pydantic import Field, ValidationError
 
-from understudy.documents import Part, first_fault, read_data
+from understudy.documents import Part, TextOrNumber, first_fault, read_data
 from understudy.errors import NetworkError
 from understudy.network.definition import Component, Link, LinkType, Network
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
 
-__all__ = ["Task", "load_task", "parse_task", "save_task", "task_schema"]
+__all__ = ["Task", "load_task", "parse_task", "save_task", "task_schema", "task_text"]
 
 Text = Annotated[str, Field(min_length=1, max_length=200)]
 Seconds = Annotated[float, Field(allow_inf_nan=False)]
@@ -44,7 +44,7 @@ class ComponentPart(Part):
 
     id: Text
     behavior: Text
-    parameters: dict[str, str | float] = {}
+    parameters: dict[str, TextOrNumber] = {}
     seen: tuple[OccurrencePart, ...] = ()
 
 
@@ -203,6 +203,13 @@ def load_task(path: str | Path) -> tuple[Task, Network]:
     return parse_task(read_data(path, NetworkError), source=str(path))
 
 
+def task_text(task: Task) -> str:
+    """A task document as YAML."""
+    data = {"understudy": task.understudy, **task.model_dump(mode="json", by_alias=True, exclude_defaults=True)}
+    text: str = yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=120, default_flow_style=None)
+    return text
+
+
 def save_task(path: str | Path, task: Task) -> None:
     """Writes a task document; JSON if the name ends in ``.json``, YAML otherwise. Nothing is overwritten.
 
@@ -210,17 +217,16 @@ def save_task(path: str | Path, task: Task) -> None:
         NetworkError: the file exists, or cannot be written.
     """
     path = Path(path)
-    data = task.model_dump(mode="json", by_alias=True, exclude_defaults=True)
-    data = {"understudy": task.understudy, **data}
+    text = task_text(task)
     if path.suffix.lower() == ".json":
-        text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
-    else:
-        text = yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=120, default_flow_style=None)
+        text = json.dumps(yaml.safe_load(text), indent=2, ensure_ascii=False) + "\n"
     try:
         with path.open("x", encoding="utf-8") as file:
             file.write(text)
     except FileExistsError:
-        raise NetworkError("this file exists already, and nothing is overwritten; name another", source=str(path)) from None
+        raise NetworkError(
+            "this file exists already, and nothing is overwritten; name another", source=str(path)
+        ) from None
     except OSError as error:
         raise NetworkError(f"the task cannot be written: {error.strerror}", source=str(path)) from None
 

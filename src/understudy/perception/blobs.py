@@ -37,16 +37,24 @@ def find_blobs(image: NDArray[np.uint8], *, min_area: int = 12) -> list[Blob]:
         min_area: pixels; smaller patches are noise.
     """
     classes = classify(image)
-    counts = np.bincount(classes.reshape(-1), minlength=len(COLOR_CLASSES) + 1)
     blobs: list[Blob] = []
     for index, color in enumerate(COLOR_CLASSES, start=1):
-        if counts[index] < min_area:
-            continue
         mask = (classes == index).view(np.uint8)
-        _, _, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
+        if cv2.countNonZero(mask) < min_area:
+            continue
+        # Labelling costs in proportion to the area looked at, and most of the picture is of no trained color.
+        x, y, width, height = cv2.boundingRect(mask)
+        _, _, stats, _ = cv2.connectedComponentsWithStats(mask[y : y + height, x : x + width], connectivity=8)
         found = [
-            Blob(color=color, left=left, right=left + width - 1, top=top, bottom=top + height - 1, area=area)
-            for left, top, width, height, area in stats[1:].tolist()
+            Blob(
+                color=color,
+                left=x + left,
+                right=x + left + across - 1,
+                top=y + top,
+                bottom=y + top + down - 1,
+                area=area,
+            )
+            for left, top, across, down, area in stats[1:].tolist()
             if area >= min_area
         ]
         blobs.extend(sorted(found, key=lambda blob: -blob.area))

@@ -2,6 +2,7 @@
 
 from functools import cache
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -47,7 +48,6 @@ def classify(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
     Returns:
         Classes, shape ``(height, width)``, see :data:`COLOR_CLASSES`.
     """
-    five_bit = (image >> 3).astype(np.uint16)
-    index = (five_bit[:, :, 0] << 10) | (five_bit[:, :, 1] << 5) | five_bit[:, :, 2]
-    classes: NDArray[np.uint8] = color_table()[index]
+    packed = cv2.cvtColor(image, cv2.COLOR_RGB2BGR555).view(np.uint16).reshape(image.shape[:2])
+    classes: NDArray[np.uint8] = np.take(color_table(), packed)
     return classes

@@ -43,34 +43,37 @@ def find_cylinders(scan: Scan, laser_x: float) -> list[Cylinder]:
         scan: the sweep.
         laser_x: how far the laser sits before the robot's origin, metres.
     """
-    ranges = np.nan_to_num(scan.ranges.astype(np.float64), nan=scan.range_max, posinf=scan.range_max)
-    steps = np.diff(ranges)
+    # Unusable rays (NaN) count as free, like those that meet nothing.
+    reaches = np.fmin(scan.ranges, np.float32(scan.range_max))
+    jumps = reaches[1:] - reaches[:-1]
     # A group ends where the range jumps; the first and the last ray of the sweep close groups, too.
-    edges = np.flatnonzero(np.abs(steps) > _JUMP)
-    starts = [0, *(edges + 1).tolist()]
-    ends = [*edges.tolist(), len(ranges) - 1]
+    edges = np.flatnonzero(np.abs(jumps) > _JUMP).tolist()
+    ranges, steps = reaches.tolist(), jumps.tolist()
+    last = len(ranges) - 1
     cylinders: list[Cylinder] = []
-    for start, end in zip(starts, ends, strict=True):
-        nearer_than_left = start == 0 or steps[start - 1] < 0
-        nearer_than_right = end == len(ranges) - 1 or steps[end] > 0
-        if not (nearer_than_left and nearer_than_right) or (start == 0 and end == len(ranges) - 1):
+    for start, end in zip([0, *(edge + 1 for edge in edges)], [*edges, last], strict=True):
+        nearer_than_right = start == 0 or steps[start - 1] < 0
+        nearer_than_left = end == last or steps[end] > 0
+        if not (nearer_than_left and nearer_than_right) or (start == 0 and end == last):
             continue
-        near = float(ranges[start : end + 1].min())
-        if near >= scan.range_max:
-            continue
+        near = min(ranges[start : end + 1])
         rays = end - start + 1
         width = near * rays * scan.angle_increment
-        if width > _MAX_WIDTH:
+        # A wall that runs past the robot is near at one end only: from end to end it is wide.
+        chord = math.dist(_polar(ranges[start], start, scan), _polar(ranges[end], end, scan))
+        if near >= scan.range_max or max(width, chord) > _MAX_WIDTH:
             continue
         radius = max(_MIN_RADIUS, width / 2)
         bearing = scan.angle_min + (start + end) / 2 * scan.angle_increment
         # The middle rays meet the surface head-on; their mean is steadier than the nearest ray.
         third = max(1, rays // 3)
         first = start + (rays - third) // 2
-        reach = float(ranges[first : first + third].mean()) + radius
-        cylinders.append(
-            Cylinder(
-                center=Point(laser_x + reach * math.cos(bearing), reach * math.sin(bearing)), radius=radius, rays=rays
-            )
-        )
+        reach = sum(ranges[first : first + third]) / third + radius
+        center = Point(laser_x + reach * math.cos(bearing), reach * math.sin(bearing))
+        cylinders.append(Cylinder(center=center, radius=radius, rays=rays))
     return cylinders
+
+
+def _polar(reach: float, index: int, scan: Scan) -> tuple[float, float]:
+    bearing = scan.angle_min + index * scan.angle_increment
+    return reach * math.cos(bearing), reach * math.sin(bearing)

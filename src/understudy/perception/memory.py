@@ -22,6 +22,7 @@ class MemorySettings:
         gate_m: a sighting this near to a remembered place is the same thing.
         gate_per_m: added for every metre of distance, since far sightings are less exact.
         smoothing: weight of a new position against the remembered one.
+        lose_s: a thing not met for this long is no longer followed, only remembered.
     """
 
     confirm: int = 3
@@ -30,6 +31,7 @@ class MemorySettings:
     gate_m: float = 0.30
     gate_per_m: float = 0.05
     smoothing: float = 0.6
+    lose_s: float = 1.0
 
 
 @dataclass(slots=True)
@@ -45,10 +47,12 @@ class Track:
     sightings: int = 0
     misses: int = 0
     believed: bool = False
+    followed: bool = False
 
     @property
     def color(self) -> Color:
-        return self.votes.most_common(1)[0][0]
+        """The one it was seen in most often."""
+        return max(self.votes, key=self.votes.__getitem__)
 
 
 class Memory:
@@ -80,6 +84,7 @@ class Memory:
             self.next_id += 1
             self.tracks.append(track)
         self._move(track, time_s, place, radius)
+        track.followed = True
         track.votes[color] += 1
         track.sightings += 1
         if track.sightings >= self.settings.confirm:
@@ -103,6 +108,8 @@ class Memory:
         for track in self.tracks:
             if track.seen_s < time_s and missing(track):
                 track.misses += 1
+            if time_s - track.seen_s > self.settings.lose_s:
+                track.followed = False
             stale = not track.believed and time_s - track.first_s > self.settings.confirm_within_s
             if track.misses < self.settings.forget and not stale:
                 kept.append(track)
@@ -122,6 +129,7 @@ class Memory:
                 radius=track.radius,
                 sensed=track.seen_s == time_s,
                 seen_s=track.seen_s,
+                followed=track.followed,
             )
             for track in self.tracks
             if track.believed

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -192,11 +193,10 @@ class Perception:
 
     def _obstacles(self, observation: Observation) -> NDArray[np.float64]:
         scan = observation.scan
-        ranges = scan.ranges.astype(np.float64)
-        usable = np.isfinite(ranges) & (ranges < scan.range_max)
-        angles = scan.angle_min + scan.angle_increment * np.flatnonzero(usable)
-        reach = ranges[usable]
-        laser = np.column_stack((self.spec.laser.x + reach * np.cos(angles), reach * np.sin(angles)))
+        met = scan.ranges < scan.range_max  # neither inf nor NaN is
+        directions = _directions(len(scan.ranges), scan.angle_min, scan.angle_increment)
+        laser: NDArray[np.float64] = directions[met] * scan.ranges[met, None]
+        laser[:, 0] += self.spec.laser.x
         sonar = observation.sonar
         echoes = [
             (mount.x + distance * math.cos(mount.heading), mount.y + distance * math.sin(mount.heading))
@@ -206,3 +206,9 @@ class Perception:
         ]
         return np.concatenate((laser, np.array(echoes))) if echoes else laser
 
+
+@lru_cache(maxsize=8)
+def _directions(rays: int, angle_min: float, angle_increment: float) -> NDArray[np.float64]:
+    """Unit vectors of a sweep's rays, shape ``(rays, 2)``."""
+    angles = angle_min + angle_increment * np.arange(rays)
+    return np.column_stack((np.cos(angles), np.sin(angles)))

@@ -23,6 +23,8 @@ class Thing:
         radius: metres.
         sensed: camera or laser met it in this very observation; otherwise it is remembered (§3.5.3.2).
         seen_s: when a sensor last met it.
+        followed: the camera found it, and the sensors have met it ever since (§3.5.3.2); false for what the laser
+            alone met again where memory had it.
     """
 
     id: int
@@ -31,6 +33,7 @@ class Thing:
     radius: float
     sensed: bool
     seen_s: float
+    followed: bool = True
 
     @property
     def distance_m(self) -> float:

@@ -68,7 +68,7 @@ class Observation:
     Attributes:
         time_s: seconds since the robot's clock began.
         scan: laser.
-        sonar: metres, shape ``(16,)``, float32, in the order of the robot's ``sonar_poses``; ``inf`` for no echo.
+        sonar: metres, shape ``(sonars,)``, float32, in the order of the robot's ``sonar_poses``; ``inf`` for no echo.
         image: camera, shape ``(height, width, 3)``, uint8, RGB; None where no new picture came.
         odometry: from the wheels.
         gripper: None on a robot without one.
@@ -80,7 +80,7 @@ class Observation:
     sonar: NDArray[np.float32] = field(default_factory=lambda: np.full(16, np.inf, np.float32))
     image: NDArray[np.uint8] | None = None
     odometry: Odometry = Odometry()
-    gripper: GripperReading | None = GripperReading()
+    gripper: GripperReading | None = None
     cues: tuple[Cue, ...] = ()
 
     def check(self) -> None:

@@ -1,0 +1,91 @@
+"""Where to stand so that a target is at a distance and angle: any point of a circle around it, if there is room."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from understudy.geometry import Point, wrap_angle
+
+__all__ = ["Stand", "choose_stand"]
+
+_DIRECTIONS = np.radians(np.arange(0, 360, 10))
+
+_ROOM = 0.52
+"""Metres around a stand in which nothing may be, so that the robot can turn there: its gripper's tips reach 0.46 m."""
+
+_TIGHT = 0.34
+"""With less room than this it cannot even drive through."""
+
+_AVERSION = 0.6
+"""Metres: how much better another stand must be before the robot changes its mind."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stand:
+    """A place and the heading to take there, in the robot's frame.
+
+    Attributes:
+        place: metres.
+        heading: radians.
+        direction: of the place as seen from the target, in the frame of the odometry, radians; tells stands apart.
+    """
+
+    place: Point
+    heading: float
+    direction: float
+
+
+def choose_stand(
+    target: Point,
+    radius: float,
+    distance: float,
+    bearing: float,
+    obstacles: NDArray[np.float64],
+    heading: float,
+    previous: float | None,
+    avoided: list[float],
+) -> Stand:
+    """The stand that takes the least driving and turning, and has room.
+
+    Args:
+        target: middle of the target, in the robot's frame.
+        radius: of the target.
+        distance: from the robot's turning point to the target's middle, metres.
+        bearing: at which the target is to be, radians.
+        obstacles: in the robot's frame, shape ``(n, 2)``; those of the target itself are left out here.
+        heading: of the robot in the frame of the odometry, radians.
+        previous: direction of the stand chosen before, which is kept unless another one is much better.
+        avoided: directions of stands that could not be reached.
+    """
+    directions = _wrap(_DIRECTIONS - heading)
+    x = target.x + distance * np.cos(directions)
+    y = target.y + distance * np.sin(directions)
+    away = np.hypot(x, y)
+    travel = np.arctan2(y, x)
+    final = _wrap(directions + math.pi - bearing)
+    cost = away + 0.35 * np.abs(travel) * np.minimum(1.0, away / 0.3) + 0.70 * np.abs(_wrap(final - travel))
+    # The way leads past the target itself: how near does the straight line come to its middle?
+    along = np.clip((target.x * x + target.y * y) / np.maximum(away, 1e-6) ** 2, 0.0, 1.0)
+    gap = np.hypot(target.x - along * x, target.y - along * y)
+    cost += np.where(gap < min(distance, radius + 0.33) - 0.02, 1.0, 0.0)
+    if len(obstacles):
+        others = obstacles[np.hypot(obstacles[:, 0] - target.x, obstacles[:, 1] - target.y) > radius + 0.12]
+        if len(others):
+            room = np.hypot(others[:, 0, None] - x, others[:, 1, None] - y).min(axis=0)
+            cost += np.where(room < _TIGHT, 10.0, np.maximum(0.0, _ROOM - room) * 8.0)
+    for direction in avoided:
+        cost += np.where(np.abs(_wrap(_DIRECTIONS - direction)) < math.radians(35), 3.0, 0.0)
+    if previous is not None:
+        cost = cost + np.where(np.abs(_wrap(_DIRECTIONS - previous)) < math.radians(6), 0.0, _AVERSION)
+    best = int(cost.argmin())
+    return Stand(
+        Point(float(x[best]), float(y[best])), wrap_angle(float(final[best])), wrap_angle(float(_DIRECTIONS[best]))
+    )
+
+
+def _wrap(angles: NDArray[np.float64]) -> NDArray[np.float64]:
+    """:func:`~understudy.geometry.wrap_angle` for many."""
+    wrapped: NDArray[np.float64] = (angles + math.pi) % math.tau - math.pi
+    return wrapped

@@ -1,0 +1,78 @@
+"""The commands, and what they have in common: options, exit codes, errors in one line.
+
+Exit codes: 0 done; 1 the robot did not do the task; 2 wrong usage or input; 130 stopped by Ctrl-C.
+"""
+
+import sys
+from typing import Annotated
+
+import click
+import typer
+
+from understudy import __version__
+from understudy.cli import demo, doctor, learn, run, schema, show, teach
+from understudy.errors import UnderstudyError
+
+__all__ = ["app", "main"]
+
+# Plain help: drawing it with Rich would take longer than everything else together.
+app = typer.Typer(
+    name="understudy",
+    help="A robot that learns your task by following you, and gets better by practising it.",
+    epilog="Start with: understudy demo",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"understudy {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _main(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+) -> None:
+    pass
+
+
+app.command("demo", help="Teach, learn and run a task from beginning to end, with pictures.")(demo.command)
+app.command("teach", help="Give a demonstration in a world; writes a recording.")(teach.command)
+app.command("learn", help="Learn a task from a recording, or from a plain file of observed intervals.")(learn.command)
+app.command("run", help="Execute a task in a world; writes a recording and a report.")(run.command)
+app.command("show", help="A task in words, as a picture or as DOT; or what a recording shows.")(show.command)
+app.command("schema", help="Print the JSON Schema of a document.")(schema.command)
+app.command("doctor", help="What is installed, what is missing, and how to mend it.")(doctor.command)
+
+
+def main() -> None:
+    """Runs the command line; the console script ``understudy``."""
+    try:
+        code = app(standalone_mode=False)
+    except click.exceptions.Abort:
+        code = _complain("stopped by Ctrl-C; the robot stands still, and what was recorded until then is kept", 130)
+    except KeyboardInterrupt:
+        code = _complain("stopped by Ctrl-C; the robot stands still, and what was recorded until then is kept", 130)
+    except click.ClickException as error:
+        error.show()
+        code = 2
+    except UnderstudyError as error:
+        code = _complain(str(error), 2)
+    except BrokenPipeError:
+        # Whoever read our output has gone, as `| head` does; nothing is wrong.
+        sys.stderr.close()
+        code = 0
+    except OSError as error:
+        code = _complain(f"{error.filename or 'a file'}: {error.strerror or error}", 2)
+    sys.exit(code or 0)
+
+
+def _complain(problem: str, code: int) -> int:
+    print(f"understudy: {problem}", file=sys.stderr)
+    return code

@@ -1,0 +1,76 @@
+"""``understudy doctor``"""
+
+import json
+import platform
+import sys
+from importlib.metadata import PackageNotFoundError, version
+
+import typer
+
+from understudy.cli.options import Json
+
+__all__ = ["command"]
+
+_NEEDED = {
+    "mujoco-core": "the simulator",
+    "opencv-python-headless": "the robot's eyes",
+    "numpy": "everything",
+    "pydantic": "documents",
+    "mcap": "recordings",
+    "rosbags": "ROS 2 messages in recordings",
+    "matplotlib": "pictures",
+    "networkx": "exchange of graphs",
+    "typer": "the command line",
+    "rich": "progress bars",
+    "pyyaml": "documents",
+}
+
+
+def command(as_json: Json = False) -> None:
+    """Checks the installation. Exit code 1 if something is missing."""
+    findings = [_python(), *(_package(name, purpose) for name, purpose in _NEEDED.items()), _simulator(), _skills()]
+    if as_json:
+        typer.echo(json.dumps(findings))
+    else:
+        for finding in findings:
+            typer.echo(f"{'ok ' if finding['ok'] else 'BAD'}  {finding['what']:<24} {finding['found']}")
+            if finding["mend"]:
+                typer.echo(f"     mend: {finding['mend']}")
+    raise typer.Exit(0 if all(finding["ok"] for finding in findings) else 1)
+
+
+def _finding(what: str, ok: bool, found: str, mend: str = "") -> dict[str, object]:
+    return {"what": what, "ok": ok, "found": found, "mend": "" if ok else mend}
+
+
+def _python() -> dict[str, object]:
+    return _finding("Python", sys.version_info >= (3, 11), platform.python_version(), "install Python 3.11 or newer")
+
+
+def _package(name: str, purpose: str) -> dict[str, object]:
+    try:
+        return _finding(name, True, f"{version(name)} ({purpose})")
+    except PackageNotFoundError:
+        return _finding(name, False, f"missing ({purpose})", "install understudy anew: pip install understudy")
+
+
+def _simulator() -> dict[str, object]:
+    try:
+        from understudy.sim import Simulation, load_world, world_path  # noqa: PLC0415
+
+        simulation = Simulation(load_world(world_path("transport")))
+        simulation.robot().sense()
+        simulation.step()
+    except (ImportError, OSError, RuntimeError) as error:
+        return _finding("simulated robot", False, str(error), "install understudy anew: pip install understudy")
+    return _finding("simulated robot", True, "senses and moves")
+
+
+def _skills() -> dict[str, object]:
+    from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.errors import SkillError  # noqa: PLC0415
+
+    try:
+        return _finding("skills", True, ", ".join(installed_skills()))
+    except SkillError as error:
+        return _finding("skills", False, str(error), "update or remove the package that offers this skill")

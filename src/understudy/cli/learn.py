@@ -1,0 +1,62 @@
+"""``understudy learn``"""
+
+import json
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from understudy.cli.options import DEFAULT_WORKSPACE, Json, Name, WorkspaceFolder
+
+__all__ = ["command"]
+
+
+def command(
+    source: Annotated[Path, typer.Argument(help="A recording (.mcap), or a document of observed intervals (.yaml, .json).")],
+    workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
+    name: Name = None,
+    order: Annotated[
+        Literal["onset", "closest"],
+        typer.Option(help="Order the steps by when each was first observed, or by when the robot was closest."),
+    ] = "onset",
+    max_distance: Annotated[
+        float, typer.Option(min=0.0, help="Metres; what was last seen farther away was not visited.")
+    ] = 2.0,
+    min_duration: Annotated[
+        float, typer.Option(min=0.0, help="Seconds; shorter observations are taken for noise.")
+    ] = 2.0,
+    as_json: Json = False,
+) -> None:
+    """Builds the behavior network of one demonstration (§4.4)."""
+    from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.figures import describe_lesson, describe_task  # noqa: PLC0415
+    from understudy.learning import LearningSettings, learn, load_intervals  # noqa: PLC0415
+    from understudy.network import Task, save_task  # noqa: PLC0415
+    from understudy.sessions import Workspace, recorded_demonstration  # noqa: PLC0415
+
+    settings = LearningSettings(order=order, max_distance_m=max_distance, min_duration_s=min_duration)
+    skills = installed_skills()
+    if source.suffix.lower() in (".yaml", ".yml", ".json"):
+        demonstration = load_intervals(source)
+    else:
+        demonstration = recorded_demonstration(source, skills, settings)
+    lesson = learn(demonstration, settings)
+    name = name or lesson.demonstration
+    place = Workspace(workspace)
+    path = place.free(name, ".yaml").with_suffix(".yaml")
+    save_task(path, Task.of(name, lesson.network, note=f"learned from {source.name}"))
+    if as_json:
+        record = {
+            "task": str(path),
+            "name": name,
+            "components": [component.id for component in lesson.network.components],
+            "links": [[link.source, link.target, link.type.value] for link in lesson.network.links],
+            "dropped": [[str(item.observed.instance), item.reason] for item in lesson.dropped],
+            "notes": list(lesson.notes),
+        }
+        typer.echo(json.dumps(record))
+        return
+    typer.echo(describe_task(name, lesson.network, skills))
+    typer.echo(describe_lesson(lesson, skills))
+    typer.echo(f"\nThe task is in {path}")
+    typer.echo(f"Next: understudy run {path} --world WORLD")

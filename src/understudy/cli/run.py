@@ -1,0 +1,75 @@
+"""``understudy run``"""
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from understudy.cli.options import DEFAULT_WORKSPACE, Json, Seed, WorkspaceFolder
+from understudy.cli.progress import progress
+from understudy.cli.worlds import find_world
+
+__all__ = ["command"]
+
+
+def command(
+    task: Annotated[Path, typer.Argument(help="A task document.")],
+    world: Annotated[str, typer.Option("--world", "-w", help="A world document, or a bundled one.")],
+    workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
+    seed: Seed = None,
+    rearrange: Annotated[
+        int | None, typer.Option(min=0, help="Change the room first: everything gets another place, drawn by this seed.")
+    ] = None,
+    limit: Annotated[float, typer.Option(min=0.1, help="Seconds of simulated time allowed.")] = 300.0,
+    as_json: Json = False,
+) -> None:
+    """Executes a task. Exit code 0 if it was done, 1 if not."""
+    from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.network import load_task  # noqa: PLC0415
+    from understudy.sessions import Workspace, perform  # noqa: PLC0415
+    from understudy.sim import rearranged  # noqa: PLC0415
+
+    document, network = load_task(task)
+    room = find_world(world)
+    if rearrange is not None:
+        room = rearranged(room, rearrange)
+    place = Workspace(workspace)
+    stem = place.free(f"{document.name} run", ".mcap", ".json")
+    reached: list[str] = []
+    with progress(f"running {document.name}", limit) as say:
+
+        def watch(percepts: object, decision: object) -> None:
+            for event in decision.events:  # type: ignore[attr-defined]
+                if event.kind == "achieved":
+                    reached.append(event.component)
+            say(percepts.time_s, f"{len(reached)} of {len(network.components)} steps")  # type: ignore[attr-defined]
+
+        performed = perform(
+            document.name,
+            network,
+            room,
+            installed_skills(),
+            seed=seed,
+            limit_s=limit,
+            recording=stem.with_suffix(".mcap"),
+            watch=watch,
+        )
+    record = performed.as_record()
+    report = stem.with_suffix(".json")
+    report.write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
+    if as_json:
+        typer.echo(json.dumps(record))
+    else:
+        for id_, time_s in performed.report.achieved:
+            typer.echo(f"  {time_s:6.1f} s  {id_}")
+        if performed.report.done:
+            typer.echo(f"Done after {performed.report.duration_s:.1f} s.")
+        else:
+            missing = [c.id for c in network.components if c.id not in reached]
+            typer.echo(f"Not done: {performed.report.ending} of {limit:g} s; missing: {', '.join(missing)}")
+        if not performed.verdict.clean:
+            hits = ", ".join(f"{count} × {what}" for what, count in performed.verdict.collisions.items())
+            typer.echo(f"The robot bumped into things: {hits}")
+        typer.echo(f"Recorded in {performed.recording}, report in {report}")
+    raise typer.Exit(0 if performed.report.done else 1)

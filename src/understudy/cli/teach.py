@@ -1,0 +1,58 @@
+"""``understudy teach``"""
+
+import json
+from typing import Annotated
+
+import typer
+
+from understudy.cli.options import DEFAULT_WORKSPACE, Json, Name, Seed, WorkspaceFolder
+from understudy.cli.progress import progress
+from understudy.cli.worlds import find_world
+
+__all__ = ["command"]
+
+
+def command(
+    world: Annotated[str, typer.Argument(help="A world document, or a bundled one: transport, visit_targets.")],
+    workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
+    name: Name = None,
+    seed: Seed = None,
+    as_json: Json = False,
+) -> None:
+    """The scripted teacher of a world leads its robot through the task."""
+    from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.sessions import Workspace, teach  # noqa: PLC0415
+
+    room = find_world(world)
+    place = Workspace(workspace)
+    path = place.free(name or room.name, ".mcap").with_suffix(".mcap")
+    with progress(f"teaching {name or room.name}") as say:
+        taught = teach(
+            room,
+            installed_skills(),
+            seed=seed,
+            name=name,
+            recording=path,
+            watch=lambda percepts, observer: say(percepts.time_s, f"{len(observer.observations)} goals observed"),
+        )
+    span = taught.demonstration.span
+    if as_json:
+        record = {
+            "recording": str(path),
+            "name": taught.demonstration.name,
+            "seed": taught.stage.simulation.seed,
+            "duration_s": round(span.duration, 1),
+            "observations": len(taught.demonstration.observations),
+            "collisions": dict(taught.verdict.collisions),
+            "finished": taught.finished,
+        }
+        typer.echo(json.dumps(record))
+        return
+    typer.echo(f"A demonstration of {span.duration:.0f} s, in which {len(taught.demonstration.observations)} goals came true.")
+    for note in taught.demonstration.notes:
+        typer.echo(f"  note: {note}")
+    if not taught.verdict.clean:
+        hits = ", ".join(f"{count} × {what}" for what, count in taught.verdict.collisions.items())
+        typer.echo(f"  The robot bumped into things: {hits}")
+    typer.echo(f"Recorded in {path}")
+    typer.echo(f"Next: understudy learn {path}")

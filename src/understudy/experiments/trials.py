@@ -1,0 +1,110 @@
+"""Taught once, executed again and again: §4.5.4.1 and §4.5.4.3 as repeated trials.
+
+Every trial has a seed of its own, from which it can be repeated alone. A changed room is the taught one rearranged at random by that
+seed (:func:`understudy.sim.rearranged`).
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from scipy.stats import binomtest
+
+from understudy.behaviors import installed_skills
+from understudy.experiments.judging import problems_of
+from understudy.learning import learn
+from understudy.network import Network
+from understudy.sessions import perform, teach
+from understudy.sim import World, load_world, rearranged, world_path
+
+__all__ = ["EXPERIMENTS", "Summary", "Trial", "run_trials", "summarise", "taught_network"]
+
+EXPERIMENTS = ("visit_targets", "transport")
+"""Bundled worlds with a scripted teacher."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Trial:
+    """One execution.
+
+    Attributes:
+        experiment, room, seed: which.
+        time_s: simulated time until it was done, or given up.
+        problems: what was wrong; empty for a success.
+        collisions, grazes: how many hard and soft contacts.
+    """
+
+    experiment: str
+    room: str
+    seed: int
+    time_s: float
+    problems: tuple[str, ...]
+    collisions: int
+    grazes: int
+
+    @property
+    def success(self) -> bool:
+        return not self.problems
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Summary:
+    """Several trials of one kind; ``low`` and ``high`` bound the success rate with 95 % confidence (Clopper-Pearson)."""
+
+    trials: int
+    successes: int
+    low: float
+    high: float
+    mean_time_s: float
+    slowest_s: float
+    collisions: int
+    grazes: int
+
+
+def taught_network(experiment: str, seed: int | None = None) -> tuple[World, Network]:
+    """The room of an experiment, and what the robot learns in it from one demonstration."""
+    world = load_world(world_path(experiment))
+    taught = teach(world, installed_skills(), seed=seed)
+    return world, learn(taught.demonstration).network
+
+
+def run_trials(
+    experiment: str, world: World, network: Network, room: str, seeds: Sequence[int], *, limit_s: float = 300.0
+) -> Iterator[Trial]:
+    """Executes a task once for every seed.
+
+    Args:
+        experiment: its name, for the records.
+        world: the room in which it was taught.
+        network: the task.
+        room: ``same`` or ``changed``.
+        seeds: one a trial.
+        limit_s: the time allowed; §4.5.4.1 allows 5 minutes.
+    """
+    for seed in seeds:
+        place = world if room == "same" else rearranged(world, seed)
+        performed = perform(experiment, network, place, installed_skills(), seed=seed, limit_s=limit_s)
+        yield Trial(
+            experiment=experiment,
+            room=room,
+            seed=seed,
+            time_s=performed.report.duration_s,
+            problems=tuple(problems_of(performed, network)),
+            collisions=sum(performed.verdict.collisions.values()),
+            grazes=sum(performed.verdict.grazes.values()),
+        )
+
+
+def summarise(trials: Sequence[Trial]) -> Summary:
+    """Counts, and how sure one can be of the rate."""
+    successes = sum(trial.success for trial in trials)
+    interval = binomtest(successes, len(trials)).proportion_ci(confidence_level=0.95, method="exact")
+    return Summary(
+        trials=len(trials),
+        successes=successes,
+        low=float(interval.low),
+        high=float(interval.high),
+        mean_time_s=sum(trial.time_s for trial in trials) / len(trials),
+        slowest_s=max(trial.time_s for trial in trials),
+        collisions=sum(trial.collisions for trial in trials),
+        grazes=sum(trial.grazes for trial in trials),
+    )

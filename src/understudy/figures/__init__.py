@@ -1,0 +1,56 @@
+"""Pictures worth looking at: rooms from above, networks, timelines; and tasks in plain words.
+
+Everything is loaded when it is first asked for, because Matplotlib takes its time.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from understudy.figures.arena import draw_arena
+    from understudy.figures.dot import to_dot
+    from understudy.figures.network import draw_network
+    from understudy.figures.network_layout import Layout, Place, layout
+    from understudy.figures.progress import draw_progress, draw_progress_average
+    from understudy.figures.saving import save
+    from understudy.figures.timeline import draw_observations
+    from understudy.figures.trajectories import Mark, Trajectory, marks_of_cues, marks_of_run
+    from understudy.figures.words import describe_lesson, describe_task
+
+__all__ = [
+    "Layout",
+    "Mark",
+    "Place",
+    "Trajectory",
+    "describe_lesson",
+    "describe_task",
+    "draw_arena",
+    "draw_network",
+    "draw_observations",
+    "draw_progress",
+    "draw_progress_average",
+    "layout",
+    "marks_of_cues",
+    "marks_of_run",
+    "save",
+    "to_dot",
+]
+
+_HOMES = {
+    "arena": ("draw_arena",),
+    "dot": ("to_dot",),
+    "network": ("draw_network",),
+    "network_layout": ("Layout", "Place", "layout"),
+    "progress": ("draw_progress", "draw_progress_average"),
+    "saving": ("save",),
+    "timeline": ("draw_observations",),
+    "trajectories": ("Mark", "Trajectory", "marks_of_cues", "marks_of_run"),
+    "words": ("describe_lesson", "describe_task"),
+}
+
+
+def __getattr__(name: str) -> Any:
+    for home, names in _HOMES.items():
+        if name in names:
+            return getattr(import_module(f"{__name__}.{home}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,57 @@
+"""Ordering links that a path implies: taking them out, and putting them back (semantics §2).
+
+Every satisfied link requires its source to be achieved, so links are transitive. A network and its reduced form behave
+alike; the reduced one can be read.
+"""
+
+from dataclasses import replace
+
+from understudy.network import Link, LinkType, Network
+
+__all__ = ["expand_links", "reduce_links"]
+
+
+def reduce_links(network: Network) -> Network:
+    """The network without the ordering links that a path of other links, of any type, implies.
+
+    What is left out does not depend on the order in which the links are looked at: a path that implies one link never
+    needs another implied one, because that, too, has its path.
+    """
+    rank, reached = _reached_in_steps(network)
+    links = tuple(
+        link
+        for link in network.links
+        if link.type is not LinkType.ORDERING or not reached[link.source] >> rank[link.target] & 1
+    )
+    return replace(network, links=links)
+
+
+def expand_links(network: Network) -> Network:
+    """The network with an ordering link for every pair that a path joins and no link does: the full set.
+
+    The added links follow the given ones, in document order, and carry no evidence of their own: it is the path's.
+    """
+    rank, reached = _reached_in_steps(network)
+    direct = {(link.source, link.target) for link in network.links}
+    added = tuple(
+        Link(source=source.id, target=target.id, type=LinkType.ORDERING)
+        for source in network.components
+        for target in network.components
+        if reached[source.id] >> rank[target.id] & 1 and (source.id, target.id) not in direct
+    )
+    return replace(network, links=network.links + added)
+
+
+def _reached_in_steps(network: Network) -> tuple[dict[str, int], dict[str, int]]:
+    """The rank of every component, and the ranks (one bit each) that a path of two links or more leads to from it."""
+    rank = {id_: index for index, id_ in enumerate(network.topological_order)}
+    in_steps: dict[str, int] = {}
+    reached: dict[str, int] = {}
+    for id_ in reversed(network.topological_order):
+        further = near = 0
+        for link in network.outgoing[id_]:
+            near |= 1 << rank[link.target]
+            further |= reached[link.target]
+        in_steps[id_] = further
+        reached[id_] = near | further
+    return rank, in_steps

@@ -1,0 +1,211 @@
+"""From observations and commands to the ROS 2 messages that a recording holds (REP 103, 105, 117)."""
+
+import math
+from collections.abc import Iterator
+from ctypes import c_float
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from rosbags.typesys.stores import ros2_humble as ros
+
+from understudy.clock import CONTROL_PERIOD_S
+from understudy.errors import RecordingError
+from understudy.recording.exact import COMMAND_TYPE, OBSERVATION_TYPE, ExactCommand, ExactObservation
+from understudy.recording.images import PNG_FORMAT, encode_png
+from understudy.recording.topics import COMMAND_TOPIC, DEFAULT_TOPICS, OBSERVATION_TOPIC
+from understudy.robot import Command, GripperGeometry, GripperReading, Observation, RobotSpec
+
+__all__ = ["ObservationEncoder", "TopicMessage", "command_messages", "nanoseconds", "string_message"]
+
+_LATEST_S: Final = 2**31
+"""A ROS 2 stamp counts its seconds in an int32."""
+
+_COVARIANCE: Final = np.zeros(36)
+_NO_FLOATS: Final = np.zeros(0)
+_NO_FLOATS32: Final = np.zeros(0, np.float32)
+_CLOUD_FIELDS: Final = [
+    ros.sensor_msgs__msg__PointField(
+        name=name, offset=4 * index, datatype=ros.sensor_msgs__msg__PointField.FLOAT32, count=1
+    )
+    for index, name in enumerate(("x", "y", "z", "range"))
+]
+
+
+class TopicMessage(NamedTuple):
+    """A message on its way to a topic; ``type`` is the full name, ``sensor_msgs/msg/LaserScan``."""
+
+    topic: str
+    type: str
+    message: object
+
+
+def nanoseconds(time_s: float) -> int:
+    """A time as recordings count it.
+
+    Raises:
+        RecordingError: the time is not a number from 0 to 2³¹ s, or not a number at all.
+    """
+    if not 0 <= time_s < _LATEST_S:
+        raise RecordingError(
+            f"t={time_s} s cannot be recorded; times are seconds since the robot's clock began, from 0 to {_LATEST_S}"
+        )
+    return round(time_s * 1e9)
+
+
+class ObservationEncoder:
+    """Makes a robot's observations into messages.
+
+    Args:
+        spec: places the sonars' echoes and scales the gripper's joints.
+    """
+
+    def __init__(self, spec: RobotSpec) -> None:
+        self._spec = spec
+        self._sonar_places = np.array([(p.x, p.y) for p in spec.sonar_poses], np.float64).reshape(-1, 2)
+        self._sonar_directions = np.array(
+            [(math.cos(p.heading), math.sin(p.heading)) for p in spec.sonar_poses], np.float64
+        ).reshape(-1, 2)
+
+    def messages(self, obs: Observation) -> Iterator[TopicMessage]:
+        """One control step. The exact message comes last: a step without it is not whole.
+
+        Raises:
+            RecordingError: an array has another type or shape than the contract says, so it could not come back equal.
+        """
+        _check_array("scan.ranges", obs.scan.ranges)
+        _check_array("sonar", obs.sonar)
+        stamp = _stamp(obs.time_s)
+        yield TopicMessage("/scan", "sensor_msgs/msg/LaserScan", _scan(obs, stamp))
+        yield TopicMessage("/sonar", "sensor_msgs/msg/PointCloud2", self._sonar(obs.sonar, stamp))
+        yield TopicMessage("/odom", "nav_msgs/msg/Odometry", _odometry(obs, stamp))
+        if obs.image is not None:
+            image = ros.sensor_msgs__msg__CompressedImage(
+                header=_header(stamp, "camera"), format=PNG_FORMAT, data=encode_png(obs.image)
+            )
+            yield TopicMessage("/camera/image_raw/compressed", "sensor_msgs/msg/CompressedImage", image)
+        if obs.gripper is not None:
+            beam = ros.std_msgs__msg__Bool(data=obs.gripper.beam_broken)
+            yield TopicMessage("/gripper/beam", "std_msgs/msg/Bool", beam)
+            if self._spec.gripper is not None:
+                joints = _joints(obs.gripper, self._spec.gripper, stamp)
+                yield TopicMessage("/joint_states", "sensor_msgs/msg/JointState", joints)
+        for cue in obs.cues:
+            yield string_message("/cues", cue.value)
+        yield TopicMessage(OBSERVATION_TOPIC, OBSERVATION_TYPE, ExactObservation.of(obs))
+
+    def _sonar(self, ranges: NDArray[np.float32], stamp: ros.builtin_interfaces__msg__Time) -> object:
+        """The echoes as points for viewers, and the ranges themselves.
+
+        A point without an echo, or of a sonar whose place the spec does not tell, is NaN, as point clouds have it; its
+        range is kept all the same.
+        """
+        points = np.full((ranges.size, 4), np.nan, np.float32)
+        points[:, 3] = ranges
+        placed = min(ranges.size, len(self._sonar_places))
+        reach = ranges[:placed].astype(np.float64)
+        reach[~np.isfinite(reach)] = np.nan
+        with np.errstate(over="ignore"):
+            points[:placed, :2] = self._sonar_places[:placed] + reach[:, np.newaxis] * self._sonar_directions[:placed]
+        points[:placed, 2] = self._spec.sonar_height
+        return ros.sensor_msgs__msg__PointCloud2(
+            header=_header(stamp, "base_link"),
+            height=1,
+            width=ranges.size,
+            fields=_CLOUD_FIELDS,
+            is_bigendian=False,
+            point_step=16,
+            row_step=16 * ranges.size,
+            data=points.astype("<f4", copy=False).view(np.uint8).ravel(),
+            is_dense=False,
+        )
+
+
+def command_messages(time_s: float, command: Command) -> Iterator[TopicMessage]:
+    """One command, as a ROS 2 robot would be told, and exactly."""
+    words = " ".join(word for word in (command.paddles, command.lift) if word)
+    if words:
+        yield string_message("/gripper/command", words)
+    twist = _twist(command.linear, command.angular)
+    yield TopicMessage("/cmd_vel", "geometry_msgs/msg/Twist", twist)
+    yield TopicMessage(COMMAND_TOPIC, COMMAND_TYPE, ExactCommand.of(time_s, command))
+
+
+def string_message(topic: str, text: str) -> TopicMessage:
+    """A ``std_msgs/String``."""
+    return TopicMessage(topic, "std_msgs/msg/String", ros.std_msgs__msg__String(data=text))
+
+
+def _check_array(name: str, array: NDArray[np.float32]) -> None:
+    if array.dtype != np.float32 or array.ndim != 1:
+        raise RecordingError(
+            f"{name} is {array.dtype} of shape {array.shape}; an observation's must be float32 of one dimension,"
+            " or the recording would not be equal to it"
+        )
+
+
+def _stamp(time_s: float) -> ros.builtin_interfaces__msg__Time:
+    seconds, rest = divmod(nanoseconds(time_s), 1_000_000_000)
+    return ros.builtin_interfaces__msg__Time(sec=seconds, nanosec=rest)
+
+
+def _header(stamp: ros.builtin_interfaces__msg__Time, frame: str) -> ros.std_msgs__msg__Header:
+    return ros.std_msgs__msg__Header(stamp=stamp, frame_id=frame)
+
+
+def _scan(obs: Observation, stamp: ros.builtin_interfaces__msg__Time) -> object:
+    scan = obs.scan
+    return ros.sensor_msgs__msg__LaserScan(
+        header=_header(stamp, "laser"),
+        angle_min=_float32(scan.angle_min),
+        angle_max=_float32(scan.angle_min + scan.angle_increment * max(scan.ranges.size - 1, 0)),
+        angle_increment=_float32(scan.angle_increment),
+        time_increment=0.0,
+        scan_time=CONTROL_PERIOD_S,
+        range_min=0.0,
+        range_max=_float32(scan.range_max),
+        ranges=scan.ranges,
+        intensities=_NO_FLOATS32,
+    )
+
+
+def _joints(reading: GripperReading, gripper: GripperGeometry, stamp: ros.builtin_interfaces__msg__Time) -> object:
+    return ros.sensor_msgs__msg__JointState(
+        header=_header(stamp, ""),
+        name=[DEFAULT_TOPICS.joints.finger, DEFAULT_TOPICS.joints.lift],
+        position=np.array([reading.aperture * gripper.opening, reading.lift * gripper.lift_height], np.float64),
+        velocity=_NO_FLOATS,
+        effort=_NO_FLOATS,
+    )
+
+
+def _odometry(obs: Observation, stamp: ros.builtin_interfaces__msg__Time) -> object:
+    pose = obs.odometry.pose
+    # A broken wheel encoder's reading is recorded as it is; sin and cos alone refuse infinity.
+    half = pose.heading / 2 if math.isfinite(pose.heading) else math.nan
+    return ros.nav_msgs__msg__Odometry(
+        header=_header(stamp, "odom"),
+        child_frame_id="base_link",
+        pose=ros.geometry_msgs__msg__PoseWithCovariance(
+            pose=ros.geometry_msgs__msg__Pose(
+                position=ros.geometry_msgs__msg__Point(x=pose.x, y=pose.y, z=0.0),
+                orientation=ros.geometry_msgs__msg__Quaternion(x=0.0, y=0.0, z=math.sin(half), w=math.cos(half)),
+            ),
+            covariance=_COVARIANCE,
+        ),
+        twist=ros.geometry_msgs__msg__TwistWithCovariance(
+            twist=_twist(obs.odometry.linear, obs.odometry.angular), covariance=_COVARIANCE
+        ),
+    )
+
+
+def _twist(linear: float, angular: float) -> ros.geometry_msgs__msg__Twist:
+    return ros.geometry_msgs__msg__Twist(
+        linear=ros.geometry_msgs__msg__Vector3(x=linear, y=0.0, z=0.0),
+        angular=ros.geometry_msgs__msg__Vector3(x=0.0, y=0.0, z=angular),
+    )
+
+
+def _float32(value: float) -> float:
+    # What float32 cannot hold, the serialiser refuses; this makes it infinite. The exact message has the value itself.
+    return c_float(value).value

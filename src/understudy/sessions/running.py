@@ -1,0 +1,116 @@
+"""One run of a task in a simulated room: executed, recorded, judged."""
+
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from understudy.behaviors import Skill
+from understudy.execution import Decision, RunReport, compile_network, run_network
+from understudy.network import Network, Task, task_text
+from understudy.perception import Percepts
+from understudy.recording import Recorder
+from understudy.robot import Journal
+from understudy.sessions.stage import Stage, Verdict
+from understudy.sim import World
+
+__all__ = ["Performed", "perform"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Performed:
+    """A run that was made.
+
+    Attributes:
+        task: its name.
+        report: the robot's own.
+        recording: the file, if it was recorded.
+        stage: the room as it is now, with everybody's paths.
+        verdict: the referee's.
+    """
+
+    task: str
+    report: RunReport
+    recording: Path | None
+    stage: Stage
+    verdict: Verdict
+
+    def as_record(self) -> dict[str, Any]:
+        """The run in plain data, for a report or another program."""
+        return {
+            "task": self.task,
+            "world": self.stage.world.name,
+            "seed": self.stage.simulation.seed,
+            "done": self.report.done,
+            "ending": self.report.ending,
+            "duration_s": round(self.report.duration_s, 1),
+            "achieved": [{"component": id_, "time_s": time_s} for id_, time_s in self.report.achieved],
+            "collisions": dict(self.verdict.collisions),
+            "grazes": dict(self.verdict.grazes),
+            "boxes": [[round(box.x, 3), round(box.y, 3)] for box in self.verdict.boxes],
+            "recording": str(self.recording) if self.recording else None,
+        }
+
+
+def perform(
+    name: str,
+    network: Network,
+    world: World,
+    skills: Mapping[str, Skill],
+    *,
+    seed: int | None = None,
+    limit_s: float = 300.0,
+    recording: Path | None = None,
+    watch: Callable[[Percepts, Decision], None] | None = None,
+    prepare: Callable[[Stage], None] | None = None,
+) -> Performed:
+    """Lets the robot of a simulated room execute a task.
+
+    Args:
+        name: of the task.
+        network: the task.
+        world: the room; its teacher, if it has one, stays out.
+        skills: by name.
+        seed: of all chance; the world's own if None.
+        limit_s: the time allowed (§4.5.4.1: 5 minutes).
+        recording: the file to be written, which must not exist; None records nothing.
+        watch: is called after every tick.
+        prepare: is given the room before the run, for example to move things in mid-run from ``watch``.
+
+    Raises:
+        NetworkError: the network does not fit the skills.
+        RecordingError: the file exists or cannot be written.
+    """
+    compile_network(network, skills)  # a task that does not fit is refused before anything is written
+    stage = Stage(world.model_copy(update={"teacher": None}), seed)
+    if prepare is not None:
+        prepare(stage)
+    with ExitStack() as stack:
+        journal: Journal | None = None
+        if recording is not None:
+            journal = stack.enter_context(_recorder(recording, stage, name, network))
+
+        def look(percepts: Percepts, decision: Decision) -> None:
+            stage.look()
+            if watch is not None:
+                watch(percepts, decision)
+
+        report = run_network(
+            stage.robot, network, skills, seed=stage.simulation.seed, limit_s=limit_s, journal=journal, watch=look
+        )
+    return Performed(task=name, report=report, recording=recording, stage=stage, verdict=stage.verdict())
+
+
+def _recorder(path: Path, stage: Stage, name: str, network: Network) -> Recorder:
+    return Recorder(
+        path,
+        kind="run",
+        name=name,
+        spec=stage.robot.spec,
+        metadata={"seed": str(stage.simulation.seed), "world": stage.world.name},
+        attachments={
+            "world.yaml": stage.world.to_yaml().encode(),
+            "task.yaml": task_text(Task.of(name, network)).encode(),
+        },
+    )

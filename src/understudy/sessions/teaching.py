@@ -1,0 +1,122 @@
+"""One demonstration in a simulated room: taught, recorded, learned."""
+
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+from understudy.behaviors import Skill
+from understudy.errors import WorldError
+from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate, observe
+from understudy.perception import Percepts
+from understudy.recording import Recorder, read_recording
+from understudy.robot import PIONEER, Journal, RobotSpec
+from understudy.sessions.stage import Stage, Verdict
+from understudy.sim import World
+
+__all__ = ["Taught", "recorded_demonstration", "teach"]
+
+_ROBOTS: Mapping[str, RobotSpec] = {PIONEER.name: PIONEER}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Taught:
+    """A demonstration that was given.
+
+    Attributes:
+        demonstration: what the robot observed.
+        recording: the file, if it was recorded.
+        stage: the room as it is now, with everybody's paths.
+        verdict: the referee's.
+        finished: the teacher came to the end of the script.
+    """
+
+    demonstration: Demonstration
+    recording: Path | None
+    stage: Stage
+    verdict: Verdict
+    finished: bool
+
+
+def teach(
+    world: World,
+    skills: Mapping[str, Skill],
+    *,
+    seed: int | None = None,
+    name: str | None = None,
+    settings: LearningSettings | None = None,
+    recording: Path | None = None,
+    limit_s: float = 600.0,
+    watch: Callable[[Percepts, Observer], None] | None = None,
+) -> Taught:
+    """The world's scripted teacher leads its robot through the task.
+
+    Args:
+        world: with a teacher.
+        skills: by name.
+        seed: of all chance; the world's own if None.
+        name: of the demonstration; the world's if None.
+        settings: of the learner.
+        recording: the file to be written, which must not exist; None records nothing.
+        limit_s: after which the demonstration is ended.
+        watch: is called after every tick.
+
+    Raises:
+        WorldError: the world has no teacher.
+        LearningError: the teacher never said START.
+        RecordingError: the file exists or cannot be written.
+    """
+    if world.teacher is None or not world.teacher.script:
+        raise WorldError(
+            "this world has no teacher with a script, so nobody can show a task in it; add `teacher:` with a `script:`",
+            source=world.name,
+        )
+    name = name or world.name
+    stage = Stage(world, seed)
+    with ExitStack() as stack:
+        journal: Journal | None = None
+        if recording is not None:
+            journal = stack.enter_context(_recorder(recording, stage, name))
+
+        def look(percepts: Percepts, observer: Observer) -> None:
+            stage.look()
+            if watch is not None:
+                watch(percepts, observer)
+
+        demonstration = demonstrate(
+            stage.robot, skills, settings, name=name, limit_s=limit_s, journal=journal, watch=look
+        )
+    return Taught(
+        demonstration=demonstration,
+        recording=recording,
+        stage=stage,
+        verdict=stage.verdict(),
+        finished=stage.simulation.teacher_done,
+    )
+
+
+def _recorder(path: Path, stage: Stage, name: str) -> Recorder:
+    return Recorder(
+        path,
+        kind="demonstration",
+        name=name,
+        spec=stage.robot.spec,
+        metadata={"seed": str(stage.simulation.seed), "world": stage.world.name},
+        attachments={"world.yaml": stage.world.to_yaml().encode()},
+    )
+
+
+def recorded_demonstration(
+    path: str | Path, skills: Mapping[str, Skill], settings: LearningSettings | None = None
+) -> Demonstration:
+    """What a recording shows: the same that a live learner saw.
+
+    Raises:
+        RecordingError: the file cannot be read.
+        LearningError: START was never said.
+        RobotError: the recorded readings cannot be used.
+    """
+    recording = read_recording(path)
+    spec = _ROBOTS.get(recording.info.robot, PIONEER)
+    demonstration = observe(recording.observations(), spec, skills, settings, name=recording.info.name)
+    return demonstration

@@ -1,0 +1,164 @@
+"""What a camera can see: colored boxes and cylinders, taken from MuJoCo's state once a picture."""
+
+import math
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from understudy.geometry import Point
+from understudy.robot import RGB, TEACHER_COLOR
+from understudy.sim.layout import WALL_HALF_THICKNESS_M
+from understudy.sim.mjcf import WALL_HEIGHT_M
+from understudy.sim.model import ArenaModel, Thing
+
+__all__ = ["Cylinders", "Paint", "Prisms", "Scenery", "WallFace"]
+
+Floats = NDArray[np.float64]
+
+Paint = tuple[float, float, float]
+"""RGB, 0 to 255."""
+
+_WALL_PAINT: Paint = (206.0, 204.0, 198.0)
+_ROBOT_PAINT: Paint = (58.0, 58.0, 62.0)
+
+_WALL_PIECE_M = 0.5
+"""Inner walls are drawn in pieces: the painter's order goes by distances of middles."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WallFace:
+    """The inner face of one of the arena's walls, from the floor to ``height``."""
+
+    start: Point
+    end: Point
+    shade: float
+    height: float = WALL_HEIGHT_M
+    paint: Paint = _WALL_PAINT
+
+    @classmethod
+    def around(cls, size: tuple[float, float]) -> "tuple[WallFace, ...]":
+        """All four, each in its own light, so that corners show."""
+        width, depth = size
+        plan = [Point(0.0, 0.0), Point(width, 0.0), Point(width, depth), Point(0.0, depth)]
+        edges = zip(plan, plan[1:] + plan[:1], (0.96, 1.0, 0.94, 0.9), strict=True)
+        return tuple(cls(start=start, end=end, shade=shade) for start, end, shade in edges)
+
+
+class Prisms:
+    """Boxes in any attitude: inner walls (which never move) first, then the geoms of boxes and robots."""
+
+    CORNERS: ClassVar[Floats] = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], np.float64)
+    FACES: ClassVar[dict[tuple[int, int], list[int]]] = {
+        (0, -1): [0, 1, 3, 2],
+        (0, 1): [4, 5, 7, 6],
+        (1, -1): [0, 1, 5, 4],
+        (1, 1): [2, 3, 7, 6],
+        (2, -1): [0, 2, 6, 4],
+        (2, 1): [1, 3, 7, 5],
+    }
+    """Corners of each face in cyclic order, by axis and sign."""
+
+    def __init__(self, arena: ArenaModel, data: Any) -> None:
+        model, world = arena.model, arena.world
+        pieces = [piece for wall in world.walls for piece in _wall_pieces(Point(*wall.start), Point(*wall.end))]
+        geoms: list[int] = []
+        self.paints: list[Paint] = [_WALL_PAINT] * len(pieces)
+        self.owners: list[int] = [-1] * len(pieces)
+        for geom, (thing, number) in enumerate(arena.things):
+            if thing is Thing.BOX:
+                self.paints.append(RGB[world.boxes[number].color])
+                self.owners.append(-1)
+            elif thing is Thing.ROBOT and not _is_cylinder(model, geom):
+                self.paints.append(_ROBOT_PAINT)
+                self.owners.append(arena.robots[number].body)
+            else:
+                continue
+            geoms.append(geom)
+        count, self._still = len(pieces) + len(geoms), len(pieces)
+        self.centres, self.rotations, self.halves = np.zeros((count, 3)), np.zeros((count, 3, 3)), np.zeros((count, 3))
+        for i, (centre, rotation, half) in enumerate(pieces):
+            self.centres[i], self.rotations[i], self.halves[i] = centre, rotation, half
+        self._geoms = np.array(geoms, np.intp)
+        self.halves[self._still :] = model.geom_size[self._geoms]
+        self.radii: list[float] = np.linalg.norm(self.halves[:, :2], axis=1).tolist()
+        self._data = data
+
+    def refresh(self) -> None:
+        """Takes the places of things that move."""
+        if self._geoms.size:
+            self.centres[self._still :] = self._data.geom_xpos[self._geoms]
+            self.rotations[self._still :] = self._data.geom_xmat[self._geoms].reshape(-1, 3, 3)
+
+
+class Cylinders:
+    """Upright cylinders: targets, the teacher, markers on robots."""
+
+    def __init__(self, arena: ArenaModel, data: Any) -> None:
+        model, world = arena.model, arena.world
+        geoms: list[int] = []
+        self.paints: list[Paint] = []
+        self.owners: list[int] = []
+        for geom, (thing, number) in enumerate(arena.things):
+            owner = -1
+            if thing is Thing.TARGET:
+                color = world.targets[number].color
+            elif thing is Thing.PERSON:
+                color = TEACHER_COLOR
+            elif thing is Thing.ROBOT and _is_cylinder(model, geom):
+                marker = world.robots[number].marker
+                assert marker is not None
+                color, owner = marker, arena.robots[number].body
+            else:
+                continue
+            geoms.append(geom)
+            self.paints.append(RGB[color])
+            self.owners.append(owner)
+        self._geoms = np.array(geoms, np.intp)
+        self._data = data
+        self.centres = np.zeros((len(geoms), 3))
+        self.radii: list[float] = model.geom_size[self._geoms, 0].tolist()
+        halves = model.geom_size[self._geoms, 1]
+        self.refresh()
+        # They stand upright and never leave their height.
+        self.bottoms: list[float] = (self.centres[:, 2] - halves).tolist()
+        self.tops: list[float] = (self.centres[:, 2] + halves).tolist()
+
+    def refresh(self) -> None:
+        """Takes the places of things that move."""
+        if self._geoms.size:
+            self.centres[:] = self._data.geom_xpos[self._geoms]
+
+
+class Scenery:
+    """All that a camera in one simulation can see. MuJoCo's kinematics must have been computed once."""
+
+    def __init__(self, arena: ArenaModel, data: Any) -> None:
+        self.arena_walls = WallFace.around(arena.world.arena.size)
+        self.prisms = Prisms(arena, data)
+        self.cylinders = Cylinders(arena, data)
+
+    def refresh(self) -> None:
+        """Takes the places of things that move."""
+        self.prisms.refresh()
+        self.cylinders.refresh()
+
+
+def _is_cylinder(model: Any, geom: int) -> bool:
+    return str(model.geom(geom).name).endswith(" marker")
+
+
+def _wall_pieces(start: Point, end: Point) -> list[tuple[Floats, Floats, Floats]]:
+    """Centre, rotation and half sizes of the pieces of one wall."""
+    length, angle = start.distance_to(end), math.atan2(end.y - start.y, end.x - start.x)
+    count = max(1, math.ceil(length / _WALL_PIECE_M))
+    c, s = math.cos(angle), math.sin(angle)
+    rotation = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    half = np.array([length / count / 2, WALL_HALF_THICKNESS_M, WALL_HEIGHT_M / 2])
+    pieces = []
+    for i in range(count):
+        t = (i + 0.5) / count
+        centre = np.array([start.x + t * (end.x - start.x), start.y + t * (end.y - start.y), WALL_HEIGHT_M / 2])
+        pieces.append((centre, rotation, half))
+    return pieces

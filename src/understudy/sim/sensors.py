@@ -1,0 +1,187 @@
+"""Laser, sonars, odometry and gripper of one simulated robot, each with its errors."""
+
+import math
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from understudy.clock import CONTROL_PERIOD_S
+from understudy.geometry import Point, Pose, wrap_angle
+from understudy.robot import GripperReading, Odometry, RobotSpec, Scan
+from understudy.sim.body import RobotBody
+from understudy.sim.mjcf import GRIPPER_HEIGHT_M, GROUP_BOXES, GROUP_SOLID
+from understudy.sim.noise import NoiseLevels
+
+__all__ = ["GripperSensor", "Laser", "SonarRing", "WheelOdometry"]
+
+_SONAR_RAYS = (-0.5, 0.0, 0.5)
+"""Directions within a sonar's cone, as shares of its angle: the nearest echo counts."""
+
+
+def _only(group: int) -> NDArray[np.uint8]:
+    mask = np.zeros(6, np.uint8)
+    mask[group] = 1
+    return mask
+
+
+class _Fan:
+    """Level rays from one point of a robot, met by everything solid but the robot itself."""
+
+    def __init__(self, model: Any, data: Any, body: RobotBody, *, at: Point, height: float, angles: ArrayLike) -> None:
+        self._model, self._data, self._body = model, data, body
+        self._at, self._height = at, height
+        directions = np.asarray(angles, np.float64)
+        rays = directions.size
+        self._local = np.stack([np.cos(directions), np.sin(directions)], axis=1)
+        self._origin = np.zeros(3)
+        self._directions = np.zeros((rays, 3))
+        self._flat = self._directions.reshape(-1)
+        self._geoms = np.zeros(rays, np.int32)
+        self._distances = np.zeros(rays)
+        self._groups = _only(GROUP_SOLID)
+
+    def cast(self, reach: float) -> NDArray[np.float64]:
+        """Metres to what each ray meets, negative where it meets nothing; the array is reused."""
+        pose = self._body.pose
+        x, y = pose.to_parent(self._at)
+        self._origin[:] = x, y, self._height
+        c, s = math.cos(pose.heading), math.sin(pose.heading)
+        np.matmul(self._local, ((c, s), (-s, c)), out=self._directions[:, :2])
+        mujoco.mj_multiRay(
+            self._model,
+            self._data,
+            self._origin,
+            self._flat,
+            self._groups,
+            1,
+            self._body.index.body,
+            self._geoms,
+            self._distances,
+            None,
+            self._geoms.size,
+            reach,
+        )
+        return self._distances
+
+
+class Laser:
+    """The SICK LMS 200: one ray a degree across the forward half plane."""
+
+    def __init__(self, model: Any, data: Any, body: RobotBody, noise: NoiseLevels, rng: np.random.Generator) -> None:
+        mount = body.spec.laser
+        self._range, self._std, self._rng = mount.range_max, noise.laser, rng
+        self._angle_min, self._increment = -math.pi / 2, math.pi / (mount.rays - 1)
+        angles = self._angle_min + self._increment * np.arange(mount.rays)
+        self._fan = _Fan(model, data, body, at=Point(mount.x, 0.0), height=mount.height, angles=angles)
+
+    def scan(self) -> Scan:
+        """One sweep."""
+        met = self._fan.cast(self._range)
+        met[met < 0.0] = np.inf
+        ranges = self._rng.standard_normal(met.size, np.float32)
+        ranges *= self._std
+        ranges += met
+        ranges[ranges > self._range] = np.inf
+        np.maximum(ranges, 0.0, out=ranges)
+        return Scan(ranges=ranges, angle_min=self._angle_min, angle_increment=self._increment, range_max=self._range)
+
+
+class SonarRing:
+    """Sixteen sonars; each gives the nearest echo within its cone.
+
+    All rays start at the robot's centre, and the way to the ring is taken off: the sonars look straight outward, so
+    that this shifts a ray by 4 cm at most, and one fan of rays costs a tenth of sixteen.
+    """
+
+    def __init__(self, model: Any, data: Any, body: RobotBody, noise: NoiseLevels, rng: np.random.Generator) -> None:
+        spec = body.spec
+        self._range, self._std, self._rng = spec.sonar_range, noise.sonar, rng
+        self._offsets = np.array([pose.position.distance for pose in spec.sonar_poses])
+        self._reach = spec.sonar_range + float(self._offsets.max())
+        angles = [pose.heading + share * spec.sonar_cone for pose in spec.sonar_poses for share in _SONAR_RAYS]
+        self._fan = _Fan(model, data, body, at=Point(0.0, 0.0), height=spec.sonar_height, angles=angles)
+
+    def ranges(self) -> NDArray[np.float32]:
+        """Metres from each sonar, ``inf`` for no echo."""
+        met = self._fan.cast(self._reach)
+        nearest = np.where(met < 0.0, np.inf, met).reshape(-1, len(_SONAR_RAYS)).min(axis=1) - self._offsets
+        echo = nearest + self._std * self._rng.standard_normal(nearest.size)
+        ranges: NDArray[np.float32] = np.where(nearest <= self._range, np.maximum(echo, 0.0), np.inf).astype(np.float32)
+        return ranges
+
+
+class WheelOdometry:
+    """Dead reckoning from the wheels.
+
+    The wheels' scale is a little wrong, the same way all through a run; the heading drifts at random on top.
+    """
+
+    def __init__(self, start: Pose, noise: NoiseLevels, rng: np.random.Generator) -> None:
+        self._rng = rng
+        self._drift = noise.odometry_heading
+        distance_error, turn_error = (noise.odometry_scale * rng.standard_normal(2)).tolist()
+        self._distance_scale, self._turn_scale = 1.0 + distance_error, 1.0 + turn_error
+        self._true = start
+        self.reading = Odometry()
+
+    def advance(self, true: Pose) -> None:
+        """Takes in the motion of one control period."""
+        forward = self._true.to_local(true.position).x * self._distance_scale
+        turn = wrap_angle(true.heading - self._true.heading) * self._turn_scale
+        self._true = true
+        # A random walk: its variance, not its deviation, grows with the way.
+        turn += self._drift * math.sqrt(abs(forward) + abs(turn)) * self._rng.standard_normal()
+        self.reading = Odometry(
+            pose=self.reading.pose.moved(forward, turn),
+            linear=forward / CONTROL_PERIOD_S,
+            angular=turn / CONTROL_PERIOD_S,
+        )
+
+    def carried_to(self, true: Pose) -> None:
+        """The robot was lifted and put down elsewhere: its wheels noticed nothing."""
+        self._true = true
+
+
+_PRESSED_M = 0.005
+"""How far both paddles together may be pressed into a box by the soft contacts of the physics."""
+
+
+class GripperSensor:
+    """Paddles' and lift's positions, and the infrared beam between the paddles (A.1)."""
+
+    def __init__(self, model: Any, data: Any, body: RobotBody, noise: NoiseLevels, rng: np.random.Generator) -> None:
+        self._model, self._data, self._body = model, data, body
+        self._misreads, self._rng = noise.beam_misreads, rng
+        self._groups = _only(GROUP_BOXES)
+        self._geom = np.zeros(1, np.int32)
+
+    def read(self) -> GripperReading:
+        """The gripper as its own sensors give it."""
+        spec: RobotSpec = self._body.spec
+        gripper = spec.gripper
+        assert gripper is not None
+        left, right = self._body.paddles
+        lift = self._body.lift
+        misread = self._rng.random() < self._misreads
+        return GripperReading(
+            aperture=min(1.0, max(0.0, (left + right) / gripper.opening)),
+            lift=min(1.0, max(0.0, lift / gripper.lift_height)),
+            beam_broken=self.beam_broken() != misread,
+        )
+
+    def beam_broken(self) -> bool:
+        """The truth about the beam."""
+        gripper = self._body.spec.gripper
+        assert gripper is not None
+        left, right = self._body.paddles
+        pose = self._body.pose
+        x, y = pose.to_parent(Point(gripper.x_beam, left))
+        origin = np.array([x, y, GRIPPER_HEIGHT_M + self._body.lift])
+        across = np.array([math.sin(pose.heading), -math.cos(pose.heading), 0.0])
+        met = mujoco.mj_ray(
+            self._model, self._data, origin, across, self._groups, 1, self._body.index.body, self._geom, None
+        )
+        # Paddles that grip hard are pressed into the box: the ray then begins inside it and meets its far side.
+        return bool(0.0 <= met <= left + right + _PRESSED_M)

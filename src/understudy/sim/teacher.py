@@ -1,0 +1,201 @@
+"""The scripted teacher: leads a robot as Appendix A.5 asks a person to, and speaks the cues.
+
+The teacher stays in the robot's view, does not go farther from it than it can see, waits when it falls behind,
+and steps back in front of it when it looks elsewhere.
+"""
+
+import math
+
+from understudy.clock import CONTROL_PERIOD_S
+from understudy.geometry import Point
+from understudy.robot import Cue
+from understudy.sim.gait import Gait
+from understudy.sim.model import ArenaModel
+from understudy.sim.script import Saying, ScriptItem, Waiting, Walk
+from understudy.sim.surroundings import Surroundings
+from understudy.sim.truth import Truth
+
+__all__ = ["ScriptedTeacher"]
+
+_STANDS_AT_M = 1.2
+"""Distance from the robot at which the teacher waits; §A.5 allows 1.5 m."""
+_SLOWS_AT_M = 0.9
+_LOST_AT = math.radians(70)
+_FOUND_AT = math.radians(35)
+_LOST_AFTER_S = 0.5
+_NEAR_M, _FACING = 0.9, math.radians(30)
+_PASS_M, _ARRIVED_M = 0.12, 0.03
+_BLOCKED_AFTER_S = 3.0
+"""Standing before something that blocks the way, the teacher takes the walk for finished."""
+_LEADING_M = (0.75, 0.95)
+_LEADING_BEARINGS = tuple(math.radians(a) for a in (0, 20, -20, 40, -40, 60, -60))
+
+
+class ScriptedTeacher:
+    """Plays a script, one control period at a time.
+
+    Args:
+        arena: the world with its teacher.
+        truth: what the teacher sees.
+    """
+
+    def __init__(self, arena: ArenaModel, truth: Truth) -> None:
+        document = arena.world.teacher
+        assert document is not None, "this world has no teacher"
+        self._truth = truth
+        self._surroundings = Surroundings(arena, truth)
+        self._script: tuple[ScriptItem, ...] = document.script
+        names = [robot.name for robot in arena.world.robots]
+        self._led = names.index(document.leads) if document.leads is not None else 0
+        self.gait = Gait(Point(*document.at), document.radius, document.speed)
+        self.heading = math.radians(document.heading_deg)
+        self._driven: Point | None = None
+        self._now = 0.0
+        self._item = 0
+        self._done = not self._script
+        self._begun = 0.0
+        self._ripe: float | None = None  # since when the word may be said
+        self._said = False
+        self._lost_for = 0.0
+        self._returning = False
+        self._blocked_for = 0.0
+
+    @property
+    def done(self) -> bool:
+        """Whether the script came to its end in an earlier period: its last word has been heard."""
+        return self._done
+
+    @property
+    def _at_end(self) -> bool:
+        return self._item >= len(self._script)
+
+    @property
+    def item(self) -> int:
+        """Index of the script's item that is being played."""
+        return self._item
+
+    def drive(self, velocity: Point | None) -> None:
+        """Walks by hand at this velocity (m/s, arena's frame) instead of by the script, or, at None, by the script."""
+        self._driven = velocity
+
+    def advance(self, now_s: float) -> tuple[Cue, ...]:
+        """One control period: moves the teacher, and returns what was said in it."""
+        self._now = now_s
+        self._done = self._at_end
+        said: list[Cue] = []
+        if self._driven is not None:
+            self.gait.at_velocity(self._driven, self._surroundings.near(self.gait.place))
+        else:
+            while not self._at_end and self._play(self._script[self._item], said):
+                self._next()
+            if self._at_end or not self._walking(self._script[self._item]):
+                self._stand()
+        if not self.gait.standing:
+            self.heading = self.gait.velocity.bearing
+        return tuple(said)
+
+    # -- the script -------------------------------------------------------------------------------------------
+
+    @staticmethod
+    def _walking(item: ScriptItem) -> bool:
+        return item.walk is not None or item.step_aside is not None
+
+    def _next(self) -> None:
+        self._item += 1
+        self._begun = self._now
+        self._ripe, self._said, self._blocked_for = None, False, 0.0
+
+    def _play(self, item: ScriptItem, said: list[Cue]) -> bool:
+        """Plays an item for this period; True when it is finished and took no time of it."""
+        elapsed = self._now - self._begun
+        if item.say is not None:
+            return self._say(item.say, said, elapsed)
+        if item.wait is not None:
+            return elapsed >= item.wait
+        if item.wait_for is not None:
+            return elapsed >= item.wait_for.timeout or self._holds(item.wait_for)
+        if item.step_aside is not None:
+            return self._go(Point(*item.step_aside), haste=1.0, stop_there=True)
+        assert item.walk is not None
+        return self._lead(item.walk, said)
+
+    def _say(self, saying: Saying, said: list[Cue], elapsed: float) -> bool:
+        if self._ripe is None and (self._may_say(saying) or elapsed >= saying.timeout):
+            self._ripe = self._now
+        if self._ripe is None or self._now - self._ripe < saying.delay - 1e-9:
+            return False
+        said.append(saying.word)
+        self._said = True
+        return True
+
+    def _may_say(self, saying: Saying) -> bool:
+        robot = self._truth.robot_pose(self._led)
+        if saying.of is not None and saying.when_robot_within is not None:
+            return robot.position.distance_to(Point(*saying.of)) <= saying.when_robot_within
+        if saying.when_robot_past is not None:
+            return robot.to_local(Point(*saying.when_robot_past)).x <= 0.0
+        return True
+
+    def _holds(self, waiting: Waiting) -> bool:
+        match waiting.condition:
+            case "robot_holds_box":
+                return self._truth.held_box(self._led) is not None
+            case "robot_empty":
+                return self._truth.gripped_box(self._led) is None
+            case "robot_near":
+                me = self._from_robot()
+                return me.distance <= _NEAR_M and abs(me.bearing) <= _FACING
+
+    # -- leading ----------------------------------------------------------------------------------------------
+
+    def _from_robot(self) -> Point:
+        """Where the teacher is, in the robot's frame."""
+        return self._truth.robot_pose(self._led).to_local(self.gait.place)
+
+    def _lead(self, walk: Walk, said: list[Cue]) -> bool:
+        if walk.say is not None and not self._said:
+            # On the way the patience has not begun to run out; at the end of it, it has.
+            self._say(walk.say, said, self._now - self._begun if self._arrived(Point(*walk.to), True) else 0.0)
+        speaking = walk.say is not None and not self._said
+        me = self._from_robot()
+        self._lost_for = self._lost_for + CONTROL_PERIOD_S if abs(me.bearing) > _LOST_AT else 0.0
+        if self._lost_for >= _LOST_AFTER_S:
+            self._returning = True
+        if self._returning:
+            spot = self._spot_in_view()
+            if abs(me.bearing) < _FOUND_AT or spot is None:
+                self._returning = False
+            else:
+                self.gait.toward(spot, 1.0, self._surroundings.near(self.gait.place), stop_there=True)
+                return False
+        haste = min(1.0, max(0.0, (_STANDS_AT_M - me.distance) / (_STANDS_AT_M - _SLOWS_AT_M)))
+        if self._lost_for > 0.0:
+            haste *= 0.5
+        onward = self._item + 1 < len(self._script) and self._script[self._item + 1].walk is not None
+        arrived = self._go(Point(*walk.to), haste=haste, stop_there=speaking or not onward)
+        return arrived and not speaking
+
+    def _go(self, goal: Point, *, haste: float, stop_there: bool) -> bool:
+        if self._arrived(goal, stop_there):
+            return True
+        self.gait.toward(goal, haste, self._surroundings.near(self.gait.place), stop_there=stop_there)
+        blocked = haste > 0.3 and self.gait.standing
+        self._blocked_for = self._blocked_for + CONTROL_PERIOD_S if blocked else 0.0
+        return False
+
+    def _arrived(self, goal: Point, stop_there: bool) -> bool:
+        near = _ARRIVED_M if stop_there else _PASS_M
+        return self.gait.place.distance_to(goal) <= near or self._blocked_for >= _BLOCKED_AFTER_S
+
+    def _stand(self) -> None:
+        self.gait.at_velocity(Point(0.0, 0.0), ())
+
+    def _spot_in_view(self) -> Point | None:
+        """The free spot nearest to the middle of the robot's view."""
+        robot = self._truth.robot_pose(self._led)
+        for bearing in _LEADING_BEARINGS:
+            for distance in _LEADING_M:
+                spot = robot.to_parent(Point(distance * math.cos(bearing), distance * math.sin(bearing)))
+                if self._surroundings.free(spot, self.gait.radius):
+                    return spot
+        return None

@@ -1,0 +1,214 @@
+"""The world document: an arena, what stands in it, and the seed of all its randomness."""
+
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+import yaml
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationError
+from pydantic_core import PydanticCustomError
+
+from understudy.documents import Part, first_fault, read_data
+from understudy.errors import WorldError
+from understudy.robot import Color
+from understudy.sim.layout import check_layout
+from understudy.sim.noise import NoiseLevels
+from understudy.sim.quantities import Degrees, Length, Place, two_numbers
+from understudy.sim.script import ScriptItem
+
+__all__ = [
+    "Arena",
+    "Box",
+    "RobotStart",
+    "Target",
+    "Teacher",
+    "Wall",
+    "World",
+    "load_world",
+    "world_names",
+    "world_path",
+]
+
+Name = Annotated[str, Field(min_length=1, max_length=80)]
+
+_BUNDLED = Path(__file__).parent / "worlds"
+
+
+class Arena(Part):
+    """A rectangle of floor, walled in; the origin is its lower left corner.
+
+    Attributes:
+        size: along x and y, metres.
+    """
+
+    size: Annotated[tuple[Length, Length], BeforeValidator(two_numbers)]
+
+
+class Wall(Part):
+    """A wall inside the arena, 4 cm thick, from one point to another."""
+
+    start: Place = Field(alias="from")
+    end: Place = Field(alias="to")
+
+
+class Target(Part):
+    """A tall colored cylinder that stays where it is when bumped.
+
+    Attributes:
+        color: one of the eight trained colors.
+        at: its centre.
+        radius: metres.
+        height: metres; the laser's plane is 0.30 m up.
+        group: things of one group keep their places relative to each other when a room is rearranged.
+    """
+
+    color: Color
+    at: Place
+    radius: Length = 0.10
+    height: Length = 0.50
+    group: Name | None = None
+
+
+class Box(Part):
+    """A small colored box of 0.1 kg and 0.10 m height, light enough to be pushed, carried and taken away.
+
+    Attributes:
+        color: one of the eight trained colors.
+        at: its centre.
+        heading_deg: which way it is turned.
+        size: its width and depth, metres; the gripper opens 0.20 m.
+        group: as for targets.
+    """
+
+    color: Color
+    at: Place
+    heading_deg: Degrees = 0.0
+    size: Annotated[float, Field(ge=0.03, le=0.14)] = 0.09
+    group: Name | None = None
+
+
+class RobotStart(Part):
+    """A robot and where it is switched on.
+
+    Attributes:
+        name: how the simulation hands it out.
+        kind: which robot.
+        at: the point between its drive wheels.
+        heading_deg: where it looks.
+        marker: color of a tall cylinder on its back, so that another robot can follow it (§4.1, robot teachers).
+    """
+
+    name: Name
+    kind: Literal["pioneer"] = "pioneer"
+    at: Place
+    heading_deg: Degrees = 0.0
+    marker: Color | None = None
+
+
+class Teacher(Part):
+    """A person in blue who leads a robot and speaks to it (A.3, A.5).
+
+    Attributes:
+        at: where the teacher stands at first.
+        heading_deg: where the teacher looks at first.
+        speed: of a walk, m/s.
+        radius: metres; legs close together make a uniform target (A.5).
+        height: metres.
+        leads: name of the robot that is led; the first one if left out.
+        script: what the teacher does, in this order.
+    """
+
+    at: Place
+    heading_deg: Degrees = 0.0
+    speed: Annotated[float, Field(gt=0.0, le=2.0)] = 0.35
+    radius: Length = 0.15
+    height: Length = 1.7
+    leads: Name | None = None
+    script: tuple[ScriptItem, ...] = ()
+
+
+def _at_least_one(robots: tuple[RobotStart, ...]) -> tuple[RobotStart, ...]:
+    if not robots:
+        raise PydanticCustomError("no_robot", "a world needs at least one robot, given none")
+    return robots
+
+
+class World(Part):
+    """A world document.
+
+    Attributes:
+        understudy: kind and version of the document.
+        name: what it is called.
+        seed: of every random number in a run.
+        arena: the walled floor.
+        walls: further walls.
+        targets: tall cylinders.
+        boxes: small boxes.
+        robots: at least one.
+        teacher: a scripted person, or nobody.
+        noise: how much the senses err.
+    """
+
+    understudy: Literal["world/1"]
+    name: Name
+    seed: Annotated[int, Field(ge=0)]
+    arena: Arena
+    walls: tuple[Wall, ...] = ()
+    targets: tuple[Target, ...] = ()
+    boxes: tuple[Box, ...] = ()
+    robots: Annotated[tuple[RobotStart, ...], AfterValidator(_at_least_one), Field(json_schema_extra={"minItems": 1})]
+    teacher: Teacher | None = None
+    noise: NoiseLevels = NoiseLevels()
+
+    @classmethod
+    def json_schema(cls) -> dict[str, Any]:
+        """The JSON Schema of the document."""
+        return {"$schema": "https://json-schema.org/draft/2020-12/schema", **cls.model_json_schema()}
+
+    def to_yaml(self) -> str:
+        """The document's text; reading it gives an equal world."""
+        data = self.model_dump(mode="json", by_alias=True, exclude_defaults=True)
+        text: str = yaml.safe_dump({"understudy": self.understudy, **data}, sort_keys=False, allow_unicode=True)
+        return text
+
+    @classmethod
+    def from_data(cls, data: Any, *, source: str = "") -> Self:
+        """Checks plain data and makes a world of it.
+
+        Raises:
+            WorldError: for the first problem found, with its path.
+        """
+        if not isinstance(data, dict):
+            raise WorldError(
+                f"a world document is a mapping that begins with 'understudy: world/1', given {data!r}", source=source
+            )
+        try:
+            world = cls.model_validate(data)
+        except ValidationError as error:
+            raise first_fault(error, source, WorldError) from None
+        check_layout(world, source=source)
+        return world
+
+
+def load_world(path: str | Path) -> World:
+    """Reads a world document from a YAML (or JSON) file.
+
+    Raises:
+        WorldError: the file cannot be read, is no YAML (with line and column), or is no world (with the path).
+    """
+    return World.from_data(read_data(path, WorldError), source=str(path))
+
+
+def world_names() -> tuple[str, ...]:
+    """Names of the bundled worlds."""
+    return tuple(sorted(path.stem for path in _BUNDLED.glob("*.yaml")))
+
+
+def world_path(name: str) -> Path:
+    """The file of a bundled world.
+
+    Raises:
+        WorldError: no bundled world has this name.
+    """
+    if name not in world_names():
+        raise WorldError(f"no bundled world is called {name!r}; there are: {', '.join(world_names())}")
+    return _BUNDLED / f"{name}.yaml"

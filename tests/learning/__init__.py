@@ -1,0 +1,1 @@
+"""Tests of the learner against slow and obvious references."""

@@ -1,0 +1,155 @@
+"""Camera and laser merged, and working memory (§3.5.3.2, Figure 3.9)."""
+
+import math
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from understudy.errors import RobotError
+from understudy.geometry import Point, Pose
+from understudy.perception import Perception, Percepts
+from understudy.robot import PIONEER, Color, GripperReading, Observation, Scan
+
+from .scenes import Pillar, observed
+
+AHEAD: Pillar = (Color.GREEN, Point(2.0, 0.0))
+
+
+def watch(perception: Perception, pillars: list[Pillar], poses: list[Pose], start_s: float = 0.0) -> Percepts:
+    """One observation for each pose, 0.1 s apart; the percepts of the last one."""
+    for index, pose in enumerate(poses):
+        percepts = perception.update(observed(round(start_s + index * 0.1, 9), pillars, pose))
+    return percepts
+
+
+def test_a_target_is_believed_at_the_third_sighting() -> None:
+    perception = Perception(PIONEER)
+    assert watch(perception, [AHEAD], [Pose()] * 2).targets == []
+    [thing] = watch(perception, [AHEAD], [Pose()], 0.2).targets
+    assert (thing.color, thing.sensed, thing.followed) == (Color.GREEN, True, True)
+    assert thing.position.distance_to(AHEAD[1]) < 0.05
+    assert thing.distance_m == approx(1.9, abs=0.06)
+    assert thing.angle_deg == approx(90, abs=2)
+
+
+def test_a_false_blob_that_comes_once_is_not_believed() -> None:
+    perception = Perception(PIONEER)
+    watch(perception, [AHEAD], [Pose()])
+    percepts = watch(perception, [], [Pose()] * 30, 0.1)
+    assert percepts.targets == []
+    assert perception.targets.tracks == []
+
+
+def test_a_blob_without_anything_behind_it_is_not_believed() -> None:
+    """Light on a wall has a color, but the laser meets nothing there that stands free."""
+    perception = Perception(PIONEER)
+    for index in range(10):
+        picture = observed(index * 0.1, [AHEAD])
+        seen = Observation(time_s=index * 0.1, scan=observed(0.0, []).scan, image=picture.image)
+        percepts = perception.update(seen)
+    assert percepts.targets == []
+
+
+def test_the_laser_keeps_hold_of_what_has_left_the_picture() -> None:
+    """Turning away by 80°: the camera loses the target at 24°, the laser keeps it (Figure 3.9)."""
+    perception = Perception(PIONEER)
+    turn = [Pose(heading=math.radians(degrees)) for degrees in range(0, 81, 4)]
+    [thing] = watch(perception, [AHEAD], [Pose(), Pose(), *turn]).targets
+    assert (thing.sensed, thing.followed) == (True, True)
+    assert thing.angle_deg == approx(10, abs=2)
+
+
+def test_what_is_behind_is_remembered_and_no_longer_followed() -> None:
+    perception = Perception(PIONEER)
+    turn = [Pose(heading=math.radians(degrees)) for degrees in range(0, 161, 4)]
+    [thing] = watch(perception, [AHEAD], [Pose(), Pose(), *turn]).targets
+    assert not thing.sensed
+    assert not thing.followed
+    assert thing.position.distance_to(turn[-1].to_local(AHEAD[1])) < 0.05
+
+
+def test_what_the_laser_alone_meets_again_is_sensed_but_not_followed() -> None:
+    perception = Perception(PIONEER)
+    away = [Pose(heading=math.radians(degrees)) for degrees in range(0, 161, 4)]
+    back = [Pose(heading=math.radians(degrees)) for degrees in range(160, 59, -4)]
+    [thing] = watch(perception, [AHEAD], [Pose(), Pose(), *away, *back]).targets
+    assert (thing.sensed, thing.followed) == (True, False)
+
+
+def test_a_target_that_was_taken_away_is_forgotten() -> None:
+    perception = Perception(PIONEER)
+    assert watch(perception, [AHEAD], [Pose()] * 5).targets
+    assert watch(perception, [], [Pose()] * 12, 0.5).targets == []
+
+
+def test_a_target_that_is_hidden_is_not_forgotten() -> None:
+    perception = Perception(PIONEER)
+    watch(perception, [AHEAD], [Pose()] * 5)
+    in_between: Pillar = (Color.RED, Point(1.0, 0.0))
+    colors = {thing.color for thing in watch(perception, [AHEAD, in_between], [Pose()] * 20, 0.5).targets}
+    assert colors == {Color.GREEN, Color.RED}
+
+
+def test_a_color_misread_now_and_then_is_outvoted() -> None:
+    perception = Perception(PIONEER)
+    watch(perception, [AHEAD], [Pose()] * 5)
+    watch(perception, [(Color.LIGHT_GREEN, AHEAD[1])], [Pose()] * 2, 0.5)
+    [thing] = watch(perception, [AHEAD], [Pose()], 0.7).targets
+    assert thing.color == Color.GREEN
+
+
+def test_the_teacher_is_recognised_up_to_two_metres() -> None:
+    for distance, seen in ((1.5, True), (2.6, False)):
+        perception = Perception(PIONEER)
+        percepts = watch(perception, [(Color.BLUE, Point(distance, 0.0))], [Pose()] * 5)
+        assert (percepts.teacher is not None) is seen
+        assert percepts.targets == []
+
+
+@pytest.mark.parametrize("distance", [0.9, 1.5, 2.5])
+def test_a_box_stands_where_its_foot_is(distance: float) -> None:
+    perception = Perception(PIONEER)
+    box: Pillar = (Color.ORANGE, Point(distance, 0.1))
+    for index in range(5):
+        percepts = perception.update(observed(index * 0.1, [], boxes=[box]))
+    [thing] = percepts.boxes
+    assert thing.color == Color.ORANGE
+    assert thing.position.distance_to(box[1]) < 0.03 + 0.05 * distance
+    assert percepts.targets == []
+
+
+def test_the_gripper_knows_the_color_of_the_box_that_it_took() -> None:
+    perception = Perception(PIONEER)
+    box: Pillar = (Color.ORANGE, Point(0.8, 0.0))
+    for index in range(5):
+        perception.update(observed(index * 0.1, [], boxes=[box], gripper=GripperReading(aperture=1.0, lift=0.0)))
+    at_the_box = Pose(0.47, 0.0, 0.0)
+    for index, aperture in enumerate([1.0, 1.0, 1.0, 0.45, 0.45]):
+        held = GripperReading(aperture=aperture, lift=0.0, beam_broken=True)
+        percepts = perception.update(observed(0.5 + index * 0.1, [], at_the_box, gripper=held))
+        assert percepts.gripper is not None
+        assert percepts.gripper.holding is (aperture < 0.5)
+    assert percepts.gripper is not None
+    assert percepts.gripper.color == Color.ORANGE
+    assert percepts.boxes == []  # it is not on the floor for the taking
+
+
+def test_a_flicker_of_the_beam_is_no_box() -> None:
+    perception = Perception(PIONEER)
+    for index, broken in enumerate([False, True, False, True, False]):
+        percepts = perception.update(observed(index * 0.1, [], gripper=GripperReading(beam_broken=broken)))
+        assert percepts.gripper is not None
+        assert percepts.gripper.empty
+
+
+def test_readings_that_are_not_numbers_are_refused() -> None:
+    blind = Observation(time_s=0.0, scan=Scan(ranges=np.full(181, np.nan, np.float32)))
+    with pytest.raises(RobotError):
+        Perception(PIONEER).update(blind)
+
+
+def test_without_pictures_the_laser_still_finds_obstacles() -> None:
+    percepts = Perception(PIONEER).update(observed(0.0, [AHEAD], blind=True))
+    assert percepts.targets == []
+    assert np.hypot(*(percepts.obstacles - (1.9, 0.0)).T).min() < 0.02
