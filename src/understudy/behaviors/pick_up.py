@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from random import Random
 
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
-from understudy.perception import Percepts
-from understudy.robot import PIONEER
+from understudy.geometry import wrap_angle
+from understudy.perception import Percepts, Thing
+from understudy.robot import PIONEER, Color
 
 __all__ = ["PICK_UP", "AbstractPickUp", "PrimitivePickUp"]
 
@@ -47,71 +48,94 @@ class AbstractPickUp:
 class PrimitivePickUp:
     """Aligns with the box, drives it in between the open paddles, closes, lifts.
 
-    Its memory holds the ``phase`` and, for the blind last stretch, how many ticks it may still go on.
+    A box that is too near to be seen is approached from memory. If it is beside or under the paddles the robot first backs off, and
+    where it cannot, drives away and comes back: so it also finds out when memory was wrong.
+
+    Its memory holds the ``phase``, and how many ``ticks`` it has been in it.
     """
 
     speed = 0.35
     align_distance = 0.85
     """From here on, metres to the robot's origin, the box must stand straight ahead before the robot goes on."""
 
-    def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
-        phase = memory.get("phase", "approach")
-        gripper = percepts.gripper
-        if gripper is None:
-            return Action(), {}
-        if gripper.blocked and phase in ("approach", "enter"):
-            phase, memory = "close", {"phase": "close", "ticks": 0}
-        if phase == "close":
-            return self._close(gripper.blocked, memory)
-        if phase == "back":
-            return self._back(memory)
-        return self._approach(percepts, parameters, memory)
+    prepare_distance = 1.5
+    """From here on the gripper is lowered and opened."""
 
-    def _approach(self, percepts: Percepts, parameters: Parameters, memory: Memory) -> tuple[Action, Memory]:
-        box = percepts.nearest_box(parameters["color"])
+    fresh_s = 2.0
+    """A box seen this short a time ago is preferred to nearer ones that are only remembered."""
+
+    back_ticks = 30
+    leave_ticks = 60
+
+    def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         gripper = percepts.gripper
-        if box is None or gripper is None:
+        box = self._chosen(percepts, parameters["color"])
+        if gripper is None or (box is None and not gripper.blocked):
             return Action(drive=Drive()), {}
-        ready = gripper.open and not gripper.raised
-        paddles, lift = "open" if box.position.distance < 1.5 else None, "down" if box.position.distance < 1.5 else None
+        phase, ticks = memory.get("phase", "approach"), memory.get("ticks", 0) + 1
+        if gripper.blocked and phase != "close":
+            phase, ticks = "close", 1
+        if phase == "close":
+            return self._close(gripper.blocked, ticks)
+        assert box is not None
+        if phase in ("back", "leave"):
+            return self._withdraw(box, phase, ticks)
+        return self._approach(box, ready=gripper.open and not gripper.raised)
+
+    def _chosen(self, percepts: Percepts, color: Color) -> Thing | None:
+        same = [box for box in percepts.boxes if box.color == color]
+        fresh = [box for box in same if percepts.time_s - box.seen_s <= self.fresh_s]
+        return next(iter(fresh or same), None)
+
+    def _approach(self, box: Thing, *, ready: bool) -> tuple[Action, Memory]:
         away, bearing = box.position.distance, box.bearing
+        beside = abs(bearing) > math.radians(20) and away < 0.65
+        if beside or away < _BEAM - 0.05:
+            # Turning here would push it away.
+            return self._withdraw(box, "back", 1)
         drive: Drive | Head
-        phase = "approach"
         if away > self.align_distance:
             drive = Head(bearing=bearing, speed=min(self.speed, 0.12 + 0.8 * (away - self.align_distance)))
-        elif abs(bearing) > math.radians(20) and away < 0.65 or away < _BEAM - 0.05:
-            # Beside or under the paddles: turning here would push it away. Back off and try again.
-            return self._back({"phase": "back", "ticks": 0})
         elif abs(bearing) > math.radians(4) and away > 0.60:
             drive = Drive(angular=max(-0.8, min(0.8, 1.8 * bearing)))
         elif not ready:
             drive = Drive(angular=max(-0.3, min(0.3, 1.5 * bearing)))
         else:
-            phase = "enter"
             drive = Drive(linear=0.12, angular=max(-0.4, min(0.4, 1.5 * bearing)))
+        near = away < self.prepare_distance
         action = Action(
-            drive=drive, paddles=paddles, lift=lift, aim=box.position, aim_radius=box.radius  # type: ignore[arg-type]
+            drive=drive,
+            paddles="open" if near else None,
+            lift="down" if near else None,
+            aim=box.position,
+            aim_radius=box.radius,
         )
-        return action, {"phase": phase}
+        return action, {"phase": "approach"}
 
     @staticmethod
-    def _close(blocked: bool, memory: Memory) -> tuple[Action, Memory]:
-        ticks = memory["ticks"] + 1
+    def _close(blocked: bool, ticks: int) -> tuple[Action, Memory]:
         if not blocked:  # it slipped out
-            return Action(drive=Drive(), paddles="open", lift="down"), {"phase": "back", "ticks": 0}
-        if ticks <= _SETTLE_TICKS:
-            return Action(drive=Drive(), paddles="close", keep_on=True), {"phase": "close", "ticks": ticks}
-        lifted = ticks >= 2 * _SETTLE_TICKS
-        return (
-            Action(drive=Drive(), paddles="close", lift="up", keep_on=not lifted),
-            {"phase": "close", "ticks": ticks},
+            return Action(drive=Drive(), paddles="open", lift="down"), {"phase": "back"}
+        lifting = ticks > _SETTLE_TICKS
+        action = Action(
+            drive=Drive(),
+            paddles="close",
+            lift="up" if lifting else None,
+            # Do not interrupt me before it is lifted (§3.2.2): the goal is true as soon as the paddles are closed.
+            keep_on=ticks < 2 * _SETTLE_TICKS,
         )
+        return action, {"phase": "close", "ticks": ticks}
 
-    @staticmethod
-    def _back(memory: Memory) -> tuple[Action, Memory]:
-        ticks = memory["ticks"] + 1
-        action = Action(drive=Drive(linear=-0.15), paddles="open", lift="down")
-        return action, {"phase": "back", "ticks": ticks} if ticks < 30 else {"phase": "approach"}
+    def _withdraw(self, box: Thing, phase: str, ticks: int) -> tuple[Action, Memory]:
+        drive: Drive | Head = Drive(linear=-0.15)
+        if phase == "leave":
+            drive = Head(bearing=wrap_angle(box.bearing + math.pi), speed=0.3)
+        far_enough = box.position.distance > self.align_distance
+        if phase == "back" and ticks >= self.back_ticks:
+            phase, ticks = ("approach" if box.position.distance > 0.65 else "leave"), 0
+        elif phase == "leave" and (far_enough or ticks >= self.leave_ticks):
+            phase, ticks = "approach", 0
+        return Action(drive=drive, paddles="open", lift="down"), {"phase": phase, "ticks": ticks}
 
 
 PICK_UP = Skill(AbstractPickUp(), PrimitivePickUp())

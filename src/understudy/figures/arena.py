@@ -41,6 +41,7 @@ _LARGEST = (400.0, 470.0)
 """Width and height of the room on paper, points, at most."""
 _MARGIN = 26.0
 _PANEL = 178.0
+_BETWEEN = 26.0
 _ROW = 16.0
 _BADGE = 6.6
 _SCALE_BAR = 22.0
@@ -84,7 +85,8 @@ class _Picture:
         found = any(mark.found for mark in self.marks)
         self.rows = [*self.trajectories, *self.marks, *(["found"] if found else [])]
         self.columns = 1 if self.beside else max(1, int(self.room[0] // _PANEL))
-        across = self.room[0] + (_PANEL + 26.0 if self.beside else 0.0)
+        self.panel = _PANEL if self.beside else (self.room[0] + _BETWEEN) / self.columns - _BETWEEN
+        across = self.room[0] + (_PANEL + _BETWEEN if self.beside else 0.0)
         self.title = wrap(clean(title), across, TITLE, "bold", lines=2)
         self.subtitle = wrap(clean(subtitle), across, BODY, lines=2)
         self.left = _MARGIN
@@ -112,7 +114,7 @@ class _Picture:
         self._names()
         self._badges()
         if self.beside:
-            self._panel(self.left + self.room[0] + 26.0, self.top + 6.0)
+            self._panel(self.left + self.room[0] + _BETWEEN, self.top + 6.0)
         else:
             self._panel(self.left, self.top + self.room[1] + _SCALE_BAR + 16.0)
         return self.sheet.figure
@@ -189,7 +191,7 @@ class _Picture:
             shown = [index for index in range(len(pieces)) if index % 4 < 2]
             pieces, shades = [pieces[index] for index in shown], [shades[index] for index in shown]
         thin = trajectory.body == "box"
-        self.sheet.line(places, color=FLOOR, width=2.4 if thin else 3.6, cap="butt", z=3.1)
+        self.sheet.line(places, color=FLOOR, width=2.4 if thin else 3.6, cap="butt", z=2.7)
         self.sheet.strokes(pieces, shades, width=1.2 if thin else 1.9, z=3.2)
         if thin:
             return
@@ -306,7 +308,7 @@ class _Picture:
         """The legend: what each line is, what happened at each number."""
         down = math.ceil(len(self.rows) / self.columns)
         for index, row in enumerate(self.rows):
-            left = x + (index // down) * (_PANEL + 10.0)
+            left = x + (index // down) * (self.panel + _BETWEEN)
             middle = y + (index % down) * _ROW
             if self.beside and index >= len(self.trajectories):
                 middle += 8.0
@@ -317,9 +319,9 @@ class _Picture:
                 self.sheet.chip(left + 20, middle, row.color)
                 begin = left + (33 if row.color else 20)
                 time = f"{row.time_s:.1f} s"
-                room = left + _PANEL - 8 - text_width(time, BODY) - begin
+                room = left + self.panel - 8 - text_width(time, BODY) - begin
                 self.sheet.text(begin, middle, elide(clean(row.text), room, BODY))
-                self.sheet.text(left + _PANEL, middle, time, color=MUTED, align="right")
+                self.sheet.text(left + self.panel, middle, time, color=MUTED, align="right")
             else:
                 self.sheet.disc(left + _BADGE, middle, _BADGE - 1, fill=PAPER, border=INK, line=1.0)
                 self.sheet.text(left + 20, middle, "already so when its turn came", size=SMALL, color=MUTED)
@@ -333,8 +335,8 @@ class _Picture:
         if trajectory.dashed:
             pieces, shades = pieces[::2], shades[::2]
         self.sheet.strokes(pieces, shades, width=1.2 if trajectory.body == "box" else 1.9)
-        text = elide(clean(trajectory.name), _PANEL - 90, BODY)
+        text = elide(clean(trajectory.name), self.panel - 90, BODY)
         self.sheet.text(x + 36, y, text)
         lasted = trajectory.points[-1, 0] - trajectory.points[0, 0]
         if trajectory.body != "box":
-            self.sheet.text(x + _PANEL, y, f"{lasted:.0f} s", color=MUTED, align="right")
+            self.sheet.text(x + self.panel, y, f"{lasted:.0f} s", color=MUTED, align="right")

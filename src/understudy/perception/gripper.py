@@ -31,14 +31,16 @@ class GripperSense:
         self.color: Color | None = None
         self.holding = False
         self._differs = 0
+        self._begun = False
 
     def update(self, time_s: float, pose: Pose, reading: GripperReading | None, boxes: Memory) -> GripperState | None:
         """The gripper's state now; the box that it takes hold of leaves the memory of things on the floor."""
         if reading is None or self.spec.gripper is None:
             return None
         self._differs = self._differs + 1 if reading.beam_broken != self.blocked else 0
-        if self._differs >= _SETTLE:
-            self.blocked, self._differs = reading.beam_broken, 0
+        if self._differs >= _SETTLE or not self._begun:
+            # The first reading is taken as it is: the robot may begin with something in its gripper.
+            self.blocked, self._differs, self._begun = reading.beam_broken, 0, True
         holding = self.blocked and reading.aperture < _CLOSED_BELOW
         if self.blocked:
             # What stands between the paddles is not on the floor for the taking.
