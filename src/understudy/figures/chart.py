@@ -169,7 +169,7 @@ class Chart:
 
     def _seconds(self) -> None:
         y = self.bottom
-        start, end = self.axis.start - 0, self.axis.end - self.axis.zero
+        start, end = self.axis.start - self.axis.zero, self.axis.end - self.axis.zero
         ticks = MaxNLocator(nbins=8, steps=[1, 2, 2.5, 5, 10]).tick_values(start, end)
         shown = [float(tick) for tick in ticks if start - 1e-9 <= tick <= end + 1e-9]
         for tick in shown:

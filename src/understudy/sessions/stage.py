@@ -14,7 +14,7 @@ from understudy.sim.simulated_robot import SimRobot
 __all__ = ["Stage", "Verdict"]
 
 Path = NDArray[np.float64]
-"""Time and place, shape ``(n, 3)``: seconds, metres, metres."""
+"""Time, place and, for robots, heading: rows of seconds, metres, metres, radians."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,12 +64,18 @@ class Stage:
     def robot_path(self) -> Path:
         """Where the robot truly was."""
         poses = self.referee.trajectories[self.robot.name]
-        return np.array([(index * CONTROL_PERIOD_S, pose.x, pose.y) for index, pose in enumerate(poses)])
+        return np.array([(index * CONTROL_PERIOD_S, p.x, p.y, p.heading) for index, p in enumerate(poses)])
 
     @property
     def teacher_path(self) -> Path | None:
         """Where the teacher truly was; None in a room without one."""
         return np.array(self._teacher) if self._teacher else None
+
+    @property
+    def box_paths(self) -> list[Path]:
+        """Where the boxes truly were, one path a box."""
+        times = np.arange(len(self._boxes)) * CONTROL_PERIOD_S
+        return [np.column_stack((times, places)) for places in zip(*self._boxes, strict=True)]
 
     def verdict(self) -> Verdict:
         """What the referee has seen so far."""

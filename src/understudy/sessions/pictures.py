@@ -1,0 +1,132 @@
+"""The pictures of a demonstration, of a task, and of a run; and of what a recording shows."""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from understudy.behaviors import Skill
+from understudy.execution import Event
+from understudy.figures import (
+    Trajectory,
+    draw_arena,
+    draw_network,
+    draw_observations,
+    draw_progress,
+    marks_of_cues,
+    marks_of_run,
+    save,
+)
+from understudy.geometry import Pose
+from understudy.learning import Lesson
+from understudy.network import Network
+from understudy.recording import Recording
+from understudy.robot import TEACHER_COLOR
+from understudy.sessions.running import Performed
+from understudy.sessions.teaching import Taught
+from understudy.sim import World
+
+__all__ = ["picture_demonstration", "picture_recording", "picture_run", "picture_task"]
+
+_MOVED_M = 0.05
+
+
+def picture_demonstration(taught: Taught, lesson: Lesson, stem: Path) -> list[Path]:
+    """The room with everybody's paths, and the observations (Figures 4.6 and 4.8)."""
+    stage = taught.stage
+    teacher = stage.teacher_path
+    paths = [Trajectory(name="robot", points=stage.robot_path)]
+    if teacher is not None:
+        paths.append(
+            Trajectory(name="teacher", points=teacher, color=str(TEACHER_COLOR), dashed=True, body="person")
+        )
+    arena = draw_arena(
+        stage.world,
+        paths,
+        marks_of_cues(taught.demonstration.cues),
+        title=f"{taught.demonstration.name}: the demonstration",
+        subtitle="The robot follows its teacher. Numbers: where the robot was when the teacher spoke.",
+    )
+    return [
+        *save(arena, stem.with_name(f"{stem.name}-room")),
+        *save(
+            draw_observations(lesson, cues=taught.demonstration.cues, title=f"{lesson.demonstration}: what the robot observed"),
+            stem.with_name(f"{stem.name}-observations"),
+        ),
+    ]
+
+
+def picture_task(name: str, network: Network, skills: Mapping[str, Skill], stem: Path) -> list[Path]:
+    """The behavior network (Figure 4.13)."""
+    return save(draw_network(network, skills=skills, title=name), stem)
+
+
+def picture_run(performed: Performed, network: Network, stem: Path) -> list[Path]:
+    """The room with the robot's path, and its progress (Figures 4.12 and 4.14)."""
+    stage, report = performed.stage, performed.report
+    paths = [Trajectory(name="robot", points=stage.robot_path)]
+    for box, points in zip(stage.world.boxes, stage.box_paths, strict=True):
+        if np.ptp(points[:, 1:], axis=0).max() > _MOVED_M:
+            paths.append(Trajectory(name=f"{box.color} box", points=points, color=str(box.color), body="box"))
+    arena = draw_arena(
+        stage.world,
+        paths,
+        marks_of_run(report.events, network),
+        title=f"{performed.task}: the robot on its own",
+        subtitle=f"{'Done' if report.done else 'Not done'} after {report.duration_s:.0f} s. Numbers: where each step was achieved.",
+    )
+    progress = draw_progress(
+        network, report.events, report.duration_s, title=f"{performed.task}: the robot's progress"
+    )
+    return [
+        *save(arena, stem.with_name(f"{stem.name}-room")),
+        *save(progress, stem.with_name(f"{stem.name}-progress")),
+    ]
+
+
+def picture_recording(recording: Recording, world: World | None, network: Network | None, stem: Path) -> list[Path]:
+    """What a recording shows: the way as the wheels counted it, and for a run its progress.
+
+    Args:
+        recording: of a demonstration or a run.
+        world: the room, if the recording has it attached.
+        network: the task, if it has that attached.
+        stem: of the files.
+    """
+    start = Pose()
+    if world is not None:
+        first = world.robots[0]
+        start = Pose(*first.at, math.radians(first.heading_deg))
+    poses = [(o.time_s, o.odometry.pose) for o in recording.observations(images=False)]
+    origin = poses[0][1]
+    way = []
+    for time_s, pose in poses:
+        place = start.to_parent(origin.to_local(pose.position))
+        way.append((time_s, place.x, place.y, start.heading + pose.heading - origin.heading))
+    written: list[Path] = []
+    events = [_event(record) for record in recording.events()]
+    if world is not None:
+        marks = marks_of_run(events, network) if network else marks_of_cues(recording.cues())
+        arena = draw_arena(
+            world,
+            [Trajectory(name="robot", points=np.array(way))],
+            marks,
+            title=recording.info.name,
+            subtitle="The robot's way as its wheels counted it.",
+        )
+        written += save(arena, stem.with_name(f"{stem.name}-room"))
+    if network is not None:
+        progress = draw_progress(network, events, way[-1][0] - way[0][0], begin=way[0][0], title=recording.info.name)
+        written += save(progress, stem.with_name(f"{stem.name}-progress"))
+    return written
+
+
+def _event(record: Mapping[str, object]) -> Event:
+    detail = {key: value for key, value in record.items() if key not in ("time_s", "kind", "component")}
+    return Event(
+        time_s=float(str(record["time_s"])),
+        kind=str(record["kind"]),
+        component=str(record.get("component", "")),
+        detail=detail,
+    )
