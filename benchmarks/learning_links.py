@@ -1,6 +1,6 @@
 """How long it takes to learn the links of a task, by the shape and the number of its intervals.
 
-Run it with ``python benchmarks/learning_links.py``. "Sweep" is finding the pairs, with relation; "network" is all of
+"Sweep" is finding the pairs, with relation; "network" is all of
 ``construct``: ids, components, the sweep, a link object with its evidence for each pair, and the network's own checks.
 "All pairs" is what comparing every interval with every later one, as §4.4.1 says, would have stored.
 """

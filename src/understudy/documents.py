@@ -1,7 +1,7 @@
 """What all documents have in common: YAML or JSON, closed, frozen, and refused with a reason.
 
-The file is read as text, then as plain data, then into models; whatever is wrong on the way becomes one line that names the file, the
-place in it, and what would be valid there.
+The file is read as text, then as plain data, then into models; whatever is wrong on the way becomes one line that names
+the file, the place in it, and what would be valid there.
 """
 
 import difflib
@@ -42,7 +42,9 @@ class _Loader(_SafeLoader):  # type: ignore[misc]  # its base is chosen above
 def _text_or_number(given: Any) -> Any:
     fits = isinstance(given, str) or (isinstance(given, int | float) and not isinstance(given, bool))
     if not fits or (isinstance(given, float) and not math.isfinite(given)):
-        raise PydanticCustomError("text_or_number", "this must be text or a number, given {given}", {"given": repr(given)})
+        raise PydanticCustomError(
+            "text_or_number", "this must be text or a number, given {given}", {"given": repr(given)}
+        )
     return given
 
 
@@ -53,7 +55,8 @@ TextOrNumber = Annotated[str | float, BeforeValidator(_text_or_number)]
 class Part(BaseModel):
     """One mapping of the document.
 
-    A part with a ``shorthand`` may also be written as that field's value alone: ``say: HERE`` for ``say: {word: HERE}``.
+    A part with a ``shorthand`` may also be written as that field's value alone: ``say: HERE`` instead of
+    ``say: {word: HERE}``.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, validate_by_alias=True, validate_by_name=True)
@@ -107,7 +110,7 @@ def read_data(path: str | Path, kind: type[DocumentError] = DocumentError) -> An
     except OSError as error:
         raise kind(f"the file cannot be read: {error.strerror or error}", source=str(path)) from None
     try:
-        return json.loads(text) if path.suffix.lower() == ".json" else yaml.load(text, Loader=_Loader)
+        return json.loads(text) if path.suffix.lower() == ".json" else yaml.load(text, Loader=_Loader)  # noqa: S506 - derived from a safe one
     except json.JSONDecodeError as error:
         place = f"line {error.lineno}, column {error.colno}"
         raise kind(f"this is no JSON: {error.msg}", source=str(path), path=place) from None

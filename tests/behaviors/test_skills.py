@@ -29,9 +29,7 @@ def sees(*targets: Thing) -> Percepts:
 
 
 def holds(color: Color | None, *, blocked: bool = True) -> Percepts:
-    gripper = GripperState(
-        holding=blocked, empty=not blocked, color=color, open=False, raised=True, blocked=blocked
-    )
+    gripper = GripperState(holding=blocked, empty=not blocked, color=color, open=False, raised=True, blocked=blocked)
     return Percepts(time_s=0.0, gripper=gripper)
 
 
@@ -56,7 +54,7 @@ def test_defaults_are_filled_in_and_colors_checked() -> None:
     ],
 )
 def test_what_a_skill_does_not_take(given_: dict[str, object], message: str) -> None:
-    with pytest.raises(SkillError, match="^Track") as caught:
+    with pytest.raises(SkillError, match=r"^Track") as caught:
         TRACK.complete(given_)
     assert message in str(caught.value)
 

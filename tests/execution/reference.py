@@ -28,15 +28,15 @@ Reading 8: over one link at most 1 is sent: because the link is not satisfied, o
     all its permanent successors with level > 0.
 Reading 9: Continue is taken from the World as given, and makes a component active whatever its level and its links.
     Only "used" (always, in a flat network) and "not inhibited" stand above it. It gives no level.
-Reading 10: Continue extends the execution, not the activity alone (§3.2.2: "to extend the execution of the behavior until
-    its completion", against "transience of sensory data"): the world precondition is not asked for; the locks are. In
-    practice the component executed in the previous step and so keeps its locks.
+Reading 10: Continue extends the execution, not the activity alone (§3.2.2: "to extend the execution of the behavior
+    until its completion", against "transience of sensory data"): the world precondition is not asked for; the locks
+    are. In practice the component executed in the previous step and so keeps its locks.
 Reading 11: a component whose world precondition does not hold does not contend: it locks nothing, even if it executed
     before. "Who executed before" means executed at the end of the last tick.
 Reading 12: locks are all or nothing: a component takes all its actuators or none. A component without actuators is
     never locked out.
-Reading 13: "on actuators that Y leaves free" decides the order of locks: a maintaining behavior that has been achieved, and
-    so is kept going for its successors only, takes its turn after all others, even if it executed before.
+Reading 13: "on actuators that Y leaves free" decides the order of locks: a maintaining behavior that has been achieved,
+    and so is kept going for its successors only, takes its turn after all others, even if it executed before.
 Reading 14: "else it searches" holds for both causes: searching is active and not executing, for want of the world
     precondition or of the actuators.
 Reading 15: refusals are complete, not the first reason only. A lock is reported as it stood at the component's turn
@@ -259,9 +259,7 @@ def _step_5_execution(
     def yields(c: str) -> bool:
         return behaviors[network.by_id[c].behavior][1] and context.achieved[c]
 
-    turns = sorted(
-        active, key=lambda c: (yields(c), c not in context.executing, -levels[c], document_order.index(c))
-    )
+    turns = sorted(active, key=lambda c: (yields(c), c not in context.executing, -levels[c], document_order.index(c)))
     executing: set[str] = set()
     locked_by: dict[str, str] = {}
     for c in turns:
@@ -287,4 +285,3 @@ def _step_8_completion(network: Network, context: RefContext) -> None:
     """Semantics §3 step 8: "Init reports completion when every sink is achieved"."""
     sinks = [component.id for component in network.components if _is_sink(network, component.id)]
     context.complete = all(context.achieved[sink] for sink in sinks)
-

@@ -87,5 +87,3 @@ def test_the_tables_follow_from_the_context_alone(scenario: Scenario) -> None:
         assert fresh.satisfied == activation.satisfied
         effects = [world.effects.get(id_, False) for id_ in ids]
         activation.commit(activation.decide(effects, lambda row: True))
-
-

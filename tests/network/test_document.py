@@ -104,9 +104,17 @@ def document(**changes: object) -> dict[str, object]:
         (document(componets=[]), "componets", "did you mean 'components'?"),
         (document(components=[]), "components", "at least one"),
         (document(components=[{"id": "a"}]), "components[0].behavior", "required and missing"),
-        (document(links=[{"from": "a", "to": "b", "type": "always"}]), "links[0].type", "ordering, enabling, permanent"),
+        (
+            document(links=[{"from": "a", "to": "b", "type": "always"}]),
+            "links[0].type",
+            "ordering, enabling, permanent",
+        ),
         (document(links=[{"from": "a", "to": "c", "type": "ordering"}]), "links[0].to", "no component is called 'c'"),
-        (document(components=[{"id": "a", "behavior": "T", "parameters": {"x": [1]}}]), "components[0].parameters.x", "text or a number"),
+        (
+            document(components=[{"id": "a", "behavior": "T", "parameters": {"x": [1]}}]),
+            "components[0].parameters.x",
+            "text or a number",
+        ),
     ],
 )
 def test_faults_are_told_with_their_place(data: object, path: str, message: str) -> None:

@@ -24,5 +24,5 @@ def test_a_laser_without_a_usable_ray(ranges: tuple[float, ...]) -> None:
 
 def test_odometry_that_is_no_number() -> None:
     lost = Odometry(pose=Pose(float("nan"), 0.0, 0.0))
-    with pytest.raises(RobotError, match="odometry at t=1.0 s is not a number"):
+    with pytest.raises(RobotError, match=r"odometry at t=1\.0 s is not a number"):
         Observation(time_s=1.0, scan=scan(1.0), odometry=lost).check()

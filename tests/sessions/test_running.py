@@ -7,7 +7,7 @@ import pytest
 
 from understudy.behaviors import installed_skills
 from understudy.errors import NetworkError
-from understudy.execution import Decision
+from understudy.execution import Decision, run_network
 from understudy.experiments import problems_of
 from understudy.geometry import Point
 from understudy.network import Component, Network
@@ -126,16 +126,16 @@ def test_an_achieved_goal_is_undone(demonstrated: Show) -> None:
 
 
 def test_a_robot_that_holds_something_drops_it_first(demonstrated: Show) -> None:
-    """§4.5.4.3: the initial Drop "ensures correct execution for the case when the robot might start [...] holding something"."""
+    """§4.5.4.3: the initial Drop is there "for the case when the robot might start the task holding something"."""
     shown = demonstrated("transport")
     only_pick_up = Network((Component(id="p", behavior="PickUp", parameters={"color": "orange"}),))
     stages: list[Stage] = []
     first = perform("p", only_pick_up, shown.world, installed_skills(), seed=2, prepare=stages.append)
     assert first.report.done
-    from understudy.execution import run_network  # noqa: PLC0415
-
     report = run_network(stages[0].robot, shown.network, installed_skills(), seed=2)
-    dropped = [e for e in report.events if e.kind == "state" and e.component == "drop-1" and e.detail["state"] == "executing"]
+    dropped = [
+        e for e in report.events if e.kind == "state" and e.component == "drop-1" and e.detail["state"] == "executing"
+    ]
     assert dropped
     assert report.done
 

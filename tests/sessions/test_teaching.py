@@ -1,6 +1,7 @@
 """From a demonstration to the network: what the text describes (§4.5.4.1, §4.5.4.3), live and from the recording."""
 
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -34,7 +35,7 @@ def test_visiting_targets_is_learned_as_visits_in_an_order(demonstrated: Show) -
     assert steps(shown) == [("Track", color) for color in colors]
     assert set(links(shown).values()) == {LinkType.ORDERING}
     ids = [component.id for component in shown.network.components]
-    assert list(links(shown)) == list(zip(ids, ids[1:], strict=False))
+    assert list(links(shown)) == list(pairwise(ids))
     assert len(links(shown, full=True)) == 15
     assert shown.taught.verdict.clean
     assert not shown.taught.verdict.grazes

@@ -1,12 +1,10 @@
 """The bundled demonstrations run to their end; rearranged rooms are valid; several robots share a world."""
 
-import math
-from itertools import combinations, pairwise
+from itertools import combinations
 
-import numpy as np
 import pytest
 
-from tests.sim.support import make_world, simulate, toward
+from tests.sim.support import make_world, simulate
 from understudy.errors import WorldError
 from understudy.geometry import Point
 from understudy.robot import Command, Cue

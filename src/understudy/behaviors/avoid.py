@@ -1,8 +1,8 @@
 """``Avoid``: no skill drives the robot into an obstacle (A.4), and going around one on the way (semantics §1).
 
-Two parts: :func:`steer` turns "go in that direction" into speeds for the wheels, along the free direction nearest to the wanted one;
-:func:`guard` has the last word and overrides any speeds that would bring the robot's outline into an obstacle.
-The thing that a skill aims at is exempt from the first, and may come closer than others in the second.
+Two parts: :func:`steer` turns "go in that direction" into speeds for the wheels, along the free direction nearest to
+the wanted one; :func:`guard` has the last word and overrides any speeds that would bring the robot's outline into an
+obstacle. The thing that a skill aims at is exempt from the first, and may come closer than others in the second.
 """
 
 import math

@@ -11,7 +11,10 @@ __all__ = ["FollowTeacher"]
 
 
 class FollowTeacher:
-    """Stays half a metre behind the teacher; when it loses sight, goes on to where the teacher was last, then looks around."""
+    """Stays half a metre behind the teacher.
+
+    When it loses sight, it goes on to where the teacher was last, and looks around there.
+    """
 
     distance_m = 0.60
     """To the robot's turning point; the laser, which sits 0.1 m before it, then reads the manual's 50 cm."""

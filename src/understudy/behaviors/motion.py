@@ -21,7 +21,8 @@ class Motion:
         """The command for this tick.
 
         Args:
-            actions: of the executing behaviors, whose actuators are disjoint; ``Wander``'s or the follower's among them.
+            actions: of the executing behaviors, whose actuators are disjoint; ``Wander``'s or the follower's among
+            them.
             percepts: for the obstacles.
 
         Returns:

@@ -48,8 +48,8 @@ class AbstractPickUp:
 class PrimitivePickUp:
     """Aligns with the box, drives it in between the open paddles, closes, lifts.
 
-    A box that is too near to be seen is approached from memory. If it is beside or under the paddles the robot first backs off, and
-    where it cannot, drives away and comes back: so it also finds out when memory was wrong.
+    A box that is too near to be seen is approached from memory. If it is beside or under the paddles the robot first
+    backs off, and where it cannot, drives away and comes back: so it also finds out when memory was wrong.
 
     Its memory holds the ``phase``, and how many ``ticks`` it has been in it.
     """

@@ -61,15 +61,17 @@ class AbstractTrack:
 
 def _evaluable(thing: Thing) -> bool:
     """Found by the camera, sensed now, within the laser's half circle and the distances that the skill can hold."""
-    return thing.followed and thing.sensed and thing.distance_m <= DISTANCE.high and abs(thing.bearing) <= math.radians(95)
+    return (
+        thing.followed and thing.sensed and thing.distance_m <= DISTANCE.high and abs(thing.bearing) <= math.radians(95)
+    )
 
 
 class PrimitiveTrack:
     """Drives to a stand from which the target is at its distance and angle, and turns there until it is so.
 
-    Any point of a circle around the target will do. The nearest one with room is chosen, less turning counting as less way: so a
-    gate or a slalom pole is passed in one smooth line, and a target in a corner is approached from where there is room.
-    Its memory holds the direction of the chosen stand, and those that it could not reach.
+    Any point of a circle around the target will do. The nearest one with room is chosen, less turning counting as less
+    way: so a gate or a slalom pole is passed in one smooth line, and a target in a corner is approached from where
+    there is room. Its memory holds the direction of the chosen stand, and those that it could not reach.
     """
 
     speed = 0.40

@@ -21,7 +21,7 @@ def command(
     seed: Seed = None,
     changed_room: Annotated[int, typer.Option(min=0, help="The seed by which the room is rearranged.")] = _CHANGED_ROOM,
 ) -> None:
-    """Teaches a task once, shows what was learned, and lets the robot do it in the same room and in a rearranged one."""
+    """Teaches a task once, shows what was learned, and lets the robot do it, in the same room and in another one."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.figures import describe_lesson, describe_task  # noqa: PLC0415
     from understudy.learning import learn  # noqa: PLC0415
@@ -78,7 +78,9 @@ def command(
             )
         done = done and performed.report.done and performed.verdict.clean
         outcome = "Done" if performed.report.done else "NOT done"
-        bumps = "without a collision" if performed.verdict.clean else f"collisions: {dict(performed.verdict.collisions)}"
+        bumps = (
+            "without a collision" if performed.verdict.clean else f"collisions: {dict(performed.verdict.collisions)}"
+        )
         typer.echo(f"   {outcome} after {performed.report.duration_s:.0f} s, {bumps}.\n")
         written += [stem.with_suffix(".mcap"), *picture_run(performed, lesson.network, stem)]
 

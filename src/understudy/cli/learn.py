@@ -12,7 +12,9 @@ __all__ = ["command"]
 
 
 def command(
-    source: Annotated[Path, typer.Argument(help="A recording (.mcap), or a document of observed intervals (.yaml, .json).")],
+    source: Annotated[
+        Path, typer.Argument(help="A recording (.mcap), or a document of observed intervals (.yaml, .json).")
+    ],
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     name: Name = None,
     order: Annotated[

@@ -2,13 +2,17 @@
 
 import json
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
 from understudy.cli.worlds import find_world
+
+if TYPE_CHECKING:
+    from understudy.execution import Decision
+    from understudy.perception import Percepts
 
 __all__ = ["command"]
 
@@ -19,7 +23,8 @@ def command(
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     seed: Seed = None,
     rearrange: Annotated[
-        int | None, typer.Option(min=0, help="Change the room first: everything gets another place, drawn by this seed.")
+        int | None,
+        typer.Option(min=0, help="Change the room first: everything gets another place, drawn by this seed."),
     ] = None,
     limit: Annotated[float, typer.Option(min=0.1, help="Seconds of simulated time allowed.")] = 300.0,
     as_json: Json = False,
@@ -39,11 +44,9 @@ def command(
     reached: list[str] = []
     with progress(f"running {document.name}", limit) as say:
 
-        def watch(percepts: object, decision: object) -> None:
-            for event in decision.events:  # type: ignore[attr-defined]
-                if event.kind == "achieved":
-                    reached.append(event.component)
-            say(percepts.time_s, f"{len(reached)} of {len(network.components)} steps")  # type: ignore[attr-defined]
+        def watch(percepts: "Percepts", decision: "Decision") -> None:
+            reached.extend(event.component for event in decision.events if event.kind == "achieved")
+            say(percepts.time_s, f"{len(reached)} of {len(network.components)} steps")
 
         performed = perform(
             document.name,

@@ -48,7 +48,9 @@ def command(
         }
         typer.echo(json.dumps(record))
         return
-    typer.echo(f"A demonstration of {span.duration:.0f} s, in which {len(taught.demonstration.observations)} goals came true.")
+    typer.echo(
+        f"A demonstration of {span.duration:.0f} s, in which {len(taught.demonstration.observations)} goals came true."
+    )
     for note in taught.demonstration.notes:
         typer.echo(f"  note: {note}")
     if not taught.verdict.clean:

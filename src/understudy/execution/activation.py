@@ -1,9 +1,9 @@
 """Which components are active: steps 2 to 6 of the tick (semantics §3), computed from what has changed.
 
-Whether a link is satisfied, how many of a component's links are not, and a component's activation level all follow from the context's
-effects, latches and last activity. They are kept up to date here from one tick to the next, so that a tick costs what has
-changed plus what is active, and not what the network's size is. ``tests/execution/reference.py`` recomputes all of it from
-the definition; the two must agree on every network and history.
+Whether a link is satisfied, how many of a component's links are not, and a component's activation level all follow from
+the context's effects, latches and last activity. They are kept up to date here from one tick to the next, so that a
+tick costs what has changed plus what is active, and not what the network's size is. ``tests/execution/reference.py``
+recomputes all of it from the definition; the two must agree on every network and history.
 """
 
 from collections.abc import Callable, Sequence
@@ -127,7 +127,9 @@ class Activation:
         active = self._ready | self.context.keep_on
         return frozenset(active - inhibited.keys() if inhibited else active)
 
-    def _lock(self, active: frozenset[int], precondition: Callable[[int], bool]) -> tuple[tuple[int, ...], dict[int, int]]:
+    def _lock(
+        self, active: frozenset[int], precondition: Callable[[int], bool]
+    ) -> tuple[tuple[int, ...], dict[int, int]]:
         """Step 5, the locks: who executed before keeps them; then the higher level; then document order.
 
         A maintaining behavior that is kept going for its successors takes only what all others leave free.

@@ -28,7 +28,9 @@ def main() -> None:
                 f"| {found.mean_time_s:.0f} s | {found.slowest_s:.0f} s | {found.collisions} | {found.grazes} |",
                 flush=True,
             )
-            failures += [f"{t.experiment}, {t.room} room, seed {t.seed}: {'; '.join(t.problems)}" for t in trials if t.problems]
+            failures += [
+                f"{t.experiment}, {t.room} room, seed {t.seed}: {'; '.join(t.problems)}" for t in trials if t.problems
+            ]
     print("\nFailures: " + ("none" if not failures else ""))
     for failure in failures:
         print(f"- {failure}")

@@ -10,15 +10,15 @@ _PLACE_TOLERANCE_M = 0.30
 """The robot's own tolerance of 0.10 m, its odometry's and its eyes' errors, and the step that it takes in a tick."""
 
 _DELIVERED_M = 1.2
-"""A box lies at a target if it is at most this far from it: where the robot stood, and as far again as its gripper reaches."""
+"""A box lies at a target if it is at most this far from it: the robot stood near, and its gripper reaches on."""
 
 
 def problems_of(performed: Performed, network: Network) -> list[str]:
     """What was wrong with a run; empty for a success.
 
-    The robot's report must say that all was done in the time allowed, and it must be true: at the moment of each step the robot was
-    where the step asks it to be, and what was dropped lies where it was to be brought. No person was run into, and no
-    wall or target was hit hard.
+    The robot's report must say that all was done in the time allowed, and it must be true: at the moment of each step
+    the robot was where the step asks it to be, and what was dropped lies where it was to be brought. No person was run
+    into, and no wall or target was hit hard.
     """
     problems: list[str] = []
     report, stage = performed.report, performed.stage

@@ -1,7 +1,7 @@
 """Taught once, executed again and again: §4.5.4.1 and §4.5.4.3 as repeated trials.
 
-Every trial has a seed of its own, from which it can be repeated alone. A changed room is the taught one rearranged at random by that
-seed (:func:`understudy.sim.rearranged`).
+Every trial has a seed of its own, from which it can be repeated alone. A changed room is the taught one rearranged at
+random by that seed (:func:`understudy.sim.rearranged`).
 """
 
 from collections.abc import Iterator, Sequence
@@ -48,7 +48,7 @@ class Trial:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Summary:
-    """Several trials of one kind; ``low`` and ``high`` bound the success rate with 95 % confidence (Clopper-Pearson)."""
+    """Several trials of one kind; ``low`` and ``high`` bound the rate of success with 95 % confidence, exactly."""
 
     trials: int
     successes: int

@@ -118,15 +118,13 @@ def _links(
     return tuple(links)
 
 
-def _last_achieved_before(
-    ordered: Sequence[Observed], moments: NDArray[np.int64], tolerance: int
-) -> list[int]:
+def _last_achieved_before(ordered: Sequence[Observed], moments: NDArray[np.int64], tolerance: int) -> list[int]:
     """For every observation, which of its predecessors was achieved last; -1 where there is none.
 
     A goal with parameters is achieved at the end of its interval (§4.3), any other one at the beginning. An enabling
     precondition holds *immediately before* its successor becomes active (§3.3.1), which is when the last of the
-    predecessors is achieved. For a goal such as "the pole is at my left" that can be asked of that last one only: asked of
-    two poles at once, it would send the robot back and forth between two places for ever.
+    predecessors is achieved. For a goal such as "the pole is at my left" that can be asked of that last one only: asked
+    of two poles at once, it would send the robot back and forth between two places for ever.
     """
     last_of_first: list[int] = [-1]
     latest = -math.inf

@@ -29,7 +29,8 @@ class LearningSettings:
         cue_effects: the behaviors whose goal a word brings about; they may come true ``cue_delay_s`` after it.
         standing: behaviors whose goal may be the situation that a task starts from. Seen at START, such an
             observation needs no cue: nobody points at the empty gripper (semantics §4).
-        keep_unchanging: keep a goal without values that was true from START to DONE. A condition that the teacher neither
+        keep_unchanging: keep a goal without values that was true from START to DONE. A condition that the teacher
+        neither
             brought about nor ended is left out, so that visiting six targets is learned as six visits in an order
             (Figure 4.7), not as six visits with an empty gripper.
         tolerance_s: endpoints that differ by no more are one moment.

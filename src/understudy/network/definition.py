@@ -81,7 +81,8 @@ class Network:
         for index, component in enumerate(self.components):
             if component.id in ids:
                 raise NetworkError(
-                    f"the id {component.id!r} is used twice; every component needs its own", path=f"components[{index}].id"
+                    f"the id {component.id!r} is used twice; every component needs its own",
+                    path=f"components[{index}].id",
                 )
             ids.add(component.id)
         pairs: set[tuple[str, str]] = set()

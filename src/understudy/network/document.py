@@ -186,7 +186,9 @@ def parse_task(data: Any, *, source: str = "") -> tuple[Task, Network]:
         raise NetworkError("a task document is a mapping that begins with 'understudy: task/1'", source=source)
     if data.get("understudy") != "task/1":
         given = data.get("understudy")
-        raise NetworkError(f"this is no task document: expected 'task/1', given {given!r}", source=source, path="understudy")
+        raise NetworkError(
+            f"this is no task document: expected 'task/1', given {given!r}", source=source, path="understudy"
+        )
     try:
         task = Task.model_validate(data)
     except ValidationError as error:

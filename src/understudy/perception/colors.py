@@ -24,8 +24,8 @@ _MIN_BRIGHTNESS = 90
 def color_table() -> NDArray[np.uint8]:
     """The class of every 15-bit color, shape ``(32768,)``, index ``r5 << 10 | g5 << 5 | b5``.
 
-    A pixel belongs to the nearest trained color in chromaticity (the channels' shares of their sum), which does not change
-    with the brightness of the light; pixels that are dark or far from every trained color belong to none.
+    A pixel belongs to the nearest trained color in chromaticity (the channels' shares of their sum), which does not
+    change with the brightness of the light; pixels that are dark or far from every trained color belong to none.
     """
     levels = np.arange(32) * 8.0 + 4.0
     pixels = np.stack(np.meshgrid(levels, levels, levels, indexing="ij"), axis=-1).reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""Working memory: things keep their place while the robot moves, until the sensors contradict (§3.5.3.2, Figure 3.9)."""
+"""Working memory: things keep their places while the robot moves, until the senses contradict (§3.5.3.2)."""
 
 from collections import Counter
 from collections.abc import Callable

@@ -90,9 +90,7 @@ class Perception:
             obstacles=self._obstacles(observation),
         )
 
-    def _look(
-        self, time_s: float, pose: Pose, scan: Scan, cylinders: list[Cylinder], blobs: list[Blob]
-    ) -> None:
+    def _look(self, time_s: float, pose: Pose, scan: Scan, cylinders: list[Cylinder], blobs: list[Blob]) -> None:
         """Enters the camera's blobs into memory: tall ones by the laser's distance, small ones by the floor's."""
         for blob in blobs:
             if blob.top < self.projection.horizon_row - 1:

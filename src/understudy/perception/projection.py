@@ -46,7 +46,7 @@ class Projection:
         return Point(self.camera.x + scale * forward, scale * left)
 
     def pixel(self, point: Point, height: float) -> tuple[float, float] | None:
-        """Column and row of a point at ``height`` above the floor; None behind the camera. May lie outside the image."""
+        """Column and row of a point ``height`` above the floor; None behind the camera. Not always inside the image."""
         ahead, drop = point.x - self.camera.x, self.camera.height - height
         depth = ahead * self._cos + drop * self._sin
         if depth <= 0.02:
@@ -63,6 +63,4 @@ class Projection:
         if pixel is None:
             return False
         column, row = pixel
-        return (
-            margin <= column <= self.camera.width - 1 - margin and margin <= row <= self.camera.rows - 1 - margin
-        )
+        return margin <= column <= self.camera.width - 1 - margin and margin <= row <= self.camera.rows - 1 - margin

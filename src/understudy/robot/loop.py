@@ -43,7 +43,8 @@ def control(
                 robot.act(STOP)
                 if stale * period_s >= DEADMAN_S:
                     raise RobotError(
-                        f"the robot sent no fresh readings for {DEADMAN_S} s (the last are of t={last_s} s), so it was stopped; "
+                        f"the robot sent no fresh readings for {DEADMAN_S} s (the last are of t={last_s} s), so it was "
+                        "stopped; "
                         "check its sensors and the connection"
                     )
             else:

@@ -94,7 +94,8 @@ class Observation:
         pose = self.odometry.pose
         if not all(map(math.isfinite, (self.time_s, pose.x, pose.y, pose.heading))):
             raise RobotError(
-                f"the odometry at t={self.time_s} s is not a number ({pose}); check the wheel encoders or the /odom topic"
+                f"the odometry at t={self.time_s} s is not a number ({pose}); "
+                "check the wheel encoders or the /odom topic"
             )
         if self.scan.ranges.size == 0 or bool(np.isnan(self.scan.ranges).all()):
             raise RobotError(

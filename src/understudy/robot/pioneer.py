@@ -41,7 +41,10 @@ class CameraMount:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GripperGeometry:
-    """Paddles in front of the body: from ``x_back`` to ``x_front``, at most ``opening`` apart; the beam crosses at ``x_beam``."""
+    """Paddles in front of the body, from ``x_back`` to ``x_front``, at most ``opening`` apart.
+
+    The infrared beam crosses between them at ``x_beam``; the lift raises them by ``lift_height``.
+    """
 
     x_back: float
     x_front: float

@@ -38,9 +38,7 @@ def picture_demonstration(taught: Taught, lesson: Lesson, stem: Path) -> list[Pa
     teacher = stage.teacher_path
     paths = [Trajectory(name="robot", points=stage.robot_path)]
     if teacher is not None:
-        paths.append(
-            Trajectory(name="teacher", points=teacher, color=str(TEACHER_COLOR), dashed=True, body="person")
-        )
+        paths.append(Trajectory(name="teacher", points=teacher, color=str(TEACHER_COLOR), dashed=True, body="person"))
     arena = draw_arena(
         stage.world,
         paths,
@@ -51,7 +49,9 @@ def picture_demonstration(taught: Taught, lesson: Lesson, stem: Path) -> list[Pa
     return [
         *save(arena, stem.with_name(f"{stem.name}-room")),
         *save(
-            draw_observations(lesson, cues=taught.demonstration.cues, title=f"{lesson.demonstration}: what the robot observed"),
+            draw_observations(
+                lesson, cues=taught.demonstration.cues, title=f"{lesson.demonstration}: what the robot observed"
+            ),
             stem.with_name(f"{stem.name}-observations"),
         ),
     ]
@@ -69,16 +69,15 @@ def picture_run(performed: Performed, network: Network, stem: Path) -> list[Path
     for box, points in zip(stage.world.boxes, stage.box_paths, strict=True):
         if np.ptp(points[:, 1:], axis=0).max() > _MOVED_M:
             paths.append(Trajectory(name=f"{box.color} box", points=points, color=str(box.color), body="box"))
+    outcome = "Done" if report.done else "Not done"
     arena = draw_arena(
         stage.world,
         paths,
         marks_of_run(report.events, network),
         title=f"{performed.task}: the robot on its own",
-        subtitle=f"{'Done' if report.done else 'Not done'} after {report.duration_s:.0f} s. Numbers: where each step was achieved.",
+        subtitle=f"{outcome} after {report.duration_s:.0f} s. Numbers: where each step was achieved.",
     )
-    progress = draw_progress(
-        network, report.events, report.duration_s, title=f"{performed.task}: the robot's progress"
-    )
+    progress = draw_progress(network, report.events, report.duration_s, title=f"{performed.task}: the robot's progress")
     return [
         *save(arena, stem.with_name(f"{stem.name}-room")),
         *save(progress, stem.with_name(f"{stem.name}-progress")),

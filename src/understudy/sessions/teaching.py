@@ -118,5 +118,4 @@ def recorded_demonstration(
     """
     recording = read_recording(path)
     spec = _ROBOTS.get(recording.info.robot, PIONEER)
-    demonstration = observe(recording.observations(), spec, skills, settings, name=recording.info.name)
-    return demonstration
+    return observe(recording.observations(), spec, skills, settings, name=recording.info.name)

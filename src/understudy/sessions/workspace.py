@@ -33,7 +33,7 @@ class Workspace:
             ) from None
 
     def free(self, stem: str, *suffixes: str) -> Path:
-        """The path of a file, without its suffix, that is free for every given suffix: ``fetch``, else ``fetch-2``, …"""
+        """A path without suffix under which no file with one of the suffixes exists: ``fetch``, else ``fetch-2``, …"""
         stem, number = file_stem(stem), 1
         while True:
             path = self.folder / (stem if number == 1 else f"{stem}-{number}")

@@ -1,0 +1,35 @@
+"""``python -m benchmarks``: all of them, or those named. ``make bench`` calls it.
+
+One figure is no figure: run it on a quiet machine, and compare within one run only.
+"""
+
+import argparse
+import os
+import platform
+
+from benchmarks import control_loop, learning_links, recordings, startup, ticks
+
+BENCHMARKS = {
+    "control": control_loop.main,
+    "ticks": ticks.main,
+    "links": learning_links.main,
+    "recordings": recordings.main,
+    "startup": startup.main,
+}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    parser.add_argument("names", nargs="*", help=f"of {', '.join(BENCHMARKS)}; all if none is named")
+    names = parser.parse_args().names or list(BENCHMARKS)
+    if unknown := set(names) - BENCHMARKS.keys():
+        parser.error(f"there is no benchmark {', '.join(sorted(unknown))}; there are: {', '.join(BENCHMARKS)}")
+    print(f"Python {platform.python_version()} on {platform.machine()}, {os.cpu_count()} cores\n")
+    for name in names:
+        print(f"== {name}")
+        BENCHMARKS[name]()
+        print()
+
+
+if __name__ == "__main__":
+    main()
