@@ -32,8 +32,8 @@ __all__ = [
 Parameters = Mapping[str, Any]
 """Parameter values by name, checked and complete: colors as :class:`Color`, numbers as float."""
 
-Memory = Mapping[str, Any]
-"""What a primitive remembers between ticks; plain data. Empty when it starts."""
+Memory = dict[str, Any]
+"""What a primitive remembers between ticks; plain data. Empty when it starts. A primitive gives back a new one."""
 
 
 class Actuator(StrEnum):

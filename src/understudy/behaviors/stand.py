@@ -1,6 +1,7 @@
 """Where to stand so that a target is at a distance and angle: any point of a circle around it, if there is room."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 
 from understudy.geometry import Point, wrap_angle
 
-__all__ = ["Stand", "choose_stand"]
+__all__ = ["Stand", "choose_direction", "stand_at"]
 
 _DIRECTIONS = np.radians(np.arange(0, 360, 10))
 
@@ -24,39 +25,45 @@ _AVERSION = 0.6
 
 @dataclass(frozen=True, slots=True)
 class Stand:
-    """A place and the heading to take there, in the robot's frame.
-
-    Attributes:
-        place: metres.
-        heading: radians.
-        direction: of the place as seen from the target, in the frame of the odometry, radians; tells stands apart.
-    """
+    """A place and the heading to take there, in the robot's frame: metres and radians."""
 
     place: Point
     heading: float
-    direction: float
 
 
-def choose_stand(
+def stand_at(direction: float, target: Point, distance: float, bearing: float, heading: float) -> Stand:
+    """The stand in a direction from the target.
+
+    Args:
+        direction: of the stand as seen from the target, in the frame of the odometry, radians.
+        target: middle of the target, in the robot's frame.
+        distance: from the stand to the target's middle, metres.
+        bearing: at which the target is to be, radians.
+        heading: of the robot in the frame of the odometry, radians.
+    """
+    local = direction - heading
+    place = Point(target.x + distance * math.cos(local), target.y + distance * math.sin(local))
+    return Stand(place, wrap_angle(local + math.pi - bearing))
+
+
+def choose_direction(
     target: Point,
     radius: float,
     distance: float,
     bearing: float,
-    obstacles: NDArray[np.float64],
     heading: float,
-    previous: float | None,
-    avoided: list[float],
-) -> Stand:
-    """The stand that takes the least driving and turning, and has room.
+    *,
+    obstacles: NDArray[np.float64],
+    previous: float | None = None,
+    avoided: Sequence[float] = (),
+) -> float:
+    """The direction of the stand that takes the least driving and turning, and has room.
 
     Args:
-        target: middle of the target, in the robot's frame.
-        radius: of the target.
-        distance: from the robot's turning point to the target's middle, metres.
-        bearing: at which the target is to be, radians.
+        target, distance, bearing, heading: as for :func:`stand_at`.
+        radius: of the target, metres.
         obstacles: in the robot's frame, shape ``(n, 2)``; those of the target itself are left out here.
-        heading: of the robot in the frame of the odometry, radians.
-        previous: direction of the stand chosen before, which is kept unless another one is much better.
+        previous: the direction chosen before, which is kept unless another one is much better.
         avoided: directions of stands that could not be reached.
     """
     directions = _wrap(_DIRECTIONS - heading)
@@ -70,19 +77,18 @@ def choose_stand(
     along = np.clip((target.x * x + target.y * y) / np.maximum(away, 1e-6) ** 2, 0.0, 1.0)
     gap = np.hypot(target.x - along * x, target.y - along * y)
     cost += np.where(gap < min(distance, radius + 0.33) - 0.02, 1.0, 0.0)
-    if len(obstacles):
-        others = obstacles[np.hypot(obstacles[:, 0] - target.x, obstacles[:, 1] - target.y) > radius + 0.12]
-        if len(others):
-            room = np.hypot(others[:, 0, None] - x, others[:, 1, None] - y).min(axis=0)
-            cost += np.where(room < _TIGHT, 10.0, np.maximum(0.0, _ROOM - room) * 8.0)
+    # Only what stands near the circle matters, and that is little of what the laser meets.
+    apart = np.square(obstacles[:, 0] - target.x) + np.square(obstacles[:, 1] - target.y)
+    others = obstacles[(apart > (radius + 0.12) ** 2) & (apart < (distance + _ROOM) ** 2)]
+    if len(others):
+        squares = np.square(others[:, 0, None] - x) + np.square(others[:, 1, None] - y)
+        room = np.sqrt(squares.min(axis=0))
+        cost += np.where(room < _TIGHT, 10.0, np.maximum(0.0, _ROOM - room) * 8.0)
     for direction in avoided:
         cost += np.where(np.abs(_wrap(_DIRECTIONS - direction)) < math.radians(35), 3.0, 0.0)
     if previous is not None:
         cost = cost + np.where(np.abs(_wrap(_DIRECTIONS - previous)) < math.radians(6), 0.0, _AVERSION)
-    best = int(cost.argmin())
-    return Stand(
-        Point(float(x[best]), float(y[best])), wrap_angle(float(final[best])), wrap_angle(float(_DIRECTIONS[best]))
-    )
+    return wrap_angle(float(_DIRECTIONS[cost.argmin()]))
 
 
 def _wrap(angles: NDArray[np.float64]) -> NDArray[np.float64]:

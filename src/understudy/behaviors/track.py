@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from random import Random
 
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
-from understudy.behaviors.stand import Stand, choose_stand
+from understudy.behaviors.stand import Stand, choose_direction, stand_at
 from understudy.geometry import angle_to_bearing, wrap_angle
 from understudy.perception import Percepts, Thing
 from understudy.robot import TEACHER_COLOR, Color
@@ -78,6 +78,9 @@ class PrimitiveTrack:
     patience_s = 6.0
     """Without coming nearer to its stand for so long, the robot gives it up for another one."""
 
+    reconsider_s = 0.25
+    """How often it looks for a better one."""
+
     def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         thing = self._chosen(percepts, parameters["color"], memory)
         if thing is None:
@@ -86,16 +89,8 @@ class PrimitiveTrack:
             memory = {"id": thing.id, "avoided": []}
         wanted = thing.radius + parameters["distance_m"]
         goal_bearing = angle_to_bearing(parameters["angle_deg"])
-        stand = choose_stand(
-            thing.position,
-            thing.radius,
-            wanted,
-            goal_bearing,
-            percepts.obstacles,
-            percepts.odometry.pose.heading,
-            memory.get("direction"),
-            memory["avoided"],
-        )
+        memory = self._choose(percepts, thing, wanted, goal_bearing, memory)
+        stand = stand_at(memory["direction"], thing.position, wanted, goal_bearing, percepts.odometry.pose.heading)
         memory = self._watch_progress(percepts.time_s, stand, memory)
         close = abs(thing.position.distance - wanted) <= 0.6 * DISTANCE.tolerance
         drive: Drive | Head
@@ -116,23 +111,35 @@ class PrimitiveTrack:
                 drive = Head(bearing=stand.place.bearing, speed=speed)
         return Action(drive=drive, aim=thing.position, aim_radius=thing.radius), memory
 
+    def _choose(self, percepts: Percepts, thing: Thing, wanted: float, goal_bearing: float, memory: Memory) -> Memory:
+        """The direction of the stand, reconsidered a few times a second."""
+        previous = memory.get("direction")
+        if previous is not None and percepts.time_s - memory["chosen_s"] < self.reconsider_s:
+            return memory
+        direction = choose_direction(
+            thing.position,
+            thing.radius,
+            wanted,
+            goal_bearing,
+            percepts.odometry.pose.heading,
+            obstacles=percepts.obstacles,
+            previous=previous,
+            avoided=memory["avoided"],
+        )
+        memory = {**memory, "direction": direction, "chosen_s": percepts.time_s}
+        if direction != previous:
+            memory |= {"nearest": math.inf, "since_s": percepts.time_s, "turning": False}
+        return memory
+
     def _watch_progress(self, time_s: float, stand: Stand, memory: Memory) -> Memory:
-        same = memory.get("direction") == stand.direction
-        nearest, since_s = (memory["nearest"], memory["since_s"]) if same else (math.inf, time_s)
+        """Gives a stand up that the robot does not come nearer to."""
         left = stand.place.distance + 0.3 * abs(stand.heading)
-        if left < nearest - 0.05:
-            nearest, since_s = left, time_s
-        avoided = memory["avoided"]
-        if time_s - since_s > self.patience_s:
-            avoided, nearest, since_s = [*avoided[-2:], stand.direction], math.inf, time_s
-        return {
-            "id": memory["id"],
-            "direction": stand.direction,
-            "nearest": nearest,
-            "since_s": since_s,
-            "avoided": avoided,
-            "turning": same and memory.get("turning", False),
-        }
+        if left < memory["nearest"] - 0.05:
+            return {**memory, "nearest": left, "since_s": time_s}
+        if time_s - memory["since_s"] > self.patience_s:
+            avoided = [*memory["avoided"][-2:], memory["direction"]]
+            return {**memory, "avoided": avoided, "nearest": math.inf, "since_s": time_s}
+        return memory
 
     @staticmethod
     def _chosen(percepts: Percepts, color: Color, memory: Memory) -> Thing | None:

@@ -37,25 +37,28 @@ def find_blobs(image: NDArray[np.uint8], *, min_area: int = 12) -> list[Blob]:
         min_area: pixels; smaller patches are noise.
     """
     classes = classify(image)
+    # Most of the picture is of no trained color; only what is around the rest is looked at further.
+    x, y, width, height = cv2.boundingRect(classes)
+    if not width:
+        return []
+    crop = classes[y : y + height, x : x + width]
+    counts = np.bincount(crop.reshape(-1), minlength=len(COLOR_CLASSES) + 1)
     blobs: list[Blob] = []
-    for index, color in enumerate(COLOR_CLASSES, start=1):
-        mask = (classes == index).view(np.uint8)
-        if cv2.countNonZero(mask) < min_area:
-            continue
-        # Labelling costs in proportion to the area looked at, and most of the picture is of no trained color.
-        x, y, width, height = cv2.boundingRect(mask)
-        _, _, stats, _ = cv2.connectedComponentsWithStats(mask[y : y + height, x : x + width], connectivity=8)
-        found = [
-            Blob(
-                color=color,
-                left=x + left,
-                right=x + left + across - 1,
-                top=y + top,
-                bottom=y + top + down - 1,
-                area=area,
-            )
-            for left, top, across, down, area in stats[1:].tolist()
-            if area >= min_area
-        ]
-        blobs.extend(sorted(found, key=lambda blob: -blob.area))
+    for index in (np.flatnonzero(counts[1:] >= min_area) + 1).tolist():
+        blobs += _components(crop == index, COLOR_CLASSES[index - 1], x, y, min_area)
     return blobs
+
+
+def _components(mask: NDArray[np.bool_], color: Color, x: int, y: int, min_area: int) -> list[Blob]:
+    """The connected patches of a mask whose upper left corner is at column ``x``, row ``y`` of the image."""
+    patches = mask.view(np.uint8)
+    left_most, top_most, width, height = cv2.boundingRect(patches)
+    patches = patches[top_most : top_most + height, left_most : left_most + width]
+    x, y = x + left_most, y + top_most
+    _, _, stats, _ = cv2.connectedComponentsWithStats(patches, connectivity=8)
+    found = [
+        Blob(color=color, left=x + left, right=x + left + across - 1, top=y + top, bottom=y + top + down - 1, area=area)
+        for left, top, across, down, area in stats[1:].tolist()
+        if area >= min_area
+    ]
+    return sorted(found, key=lambda blob: -blob.area)

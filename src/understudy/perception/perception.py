@@ -157,9 +157,10 @@ class Perception:
             here = pose.to_local(track.place)
             if here.distance > self.settings.target_range - 0.5:
                 return False
-            seen_through = self._range_towards(scan, here) > here.distance + track.radius + 0.25
-            in_view = looked and self.projection.sees(here, _TALL_TOP / 2, margin=6)
-            return seen_through and (in_view or here.distance < 4.0)
+            if self._range_towards(scan, here) <= here.distance + track.radius + 0.25:
+                return False
+            # The laser sees through the place. Far off it may just miss a slim target: there the camera must agree.
+            return here.distance < 4.0 or (looked and self.projection.sees(here, _TALL_TOP / 2, margin=6))
 
         def box_missing(track: Track) -> bool:
             here = pose.to_local(track.place)
@@ -195,12 +196,11 @@ class Perception:
         directions = _directions(len(scan.ranges), scan.angle_min, scan.angle_increment)
         laser: NDArray[np.float64] = directions[met] * scan.ranges[met, None]
         laser[:, 0] += self.spec.laser.x
-        sonar = observation.sonar
+        # The laser sees the front better; a sonar's far echo may come from anywhere in its cone.
         echoes = [
             (mount.x + distance * math.cos(mount.heading), mount.y + distance * math.sin(mount.heading))
-            for mount, distance in zip(self.spec.sonar_poses, sonar.tolist(), strict=False)
-            # The laser sees the front better; a sonar's far echo may come from anywhere in its cone.
-            if mount.x < 0 and distance < 1.0
+            for mount, distance in zip(self.spec.sonar_poses, observation.sonar.tolist(), strict=False)
+            if distance < 1.0 and mount.x < 0
         ]
         return np.concatenate((laser, np.array(echoes))) if echoes else laser
 

@@ -152,22 +152,43 @@ class Camera:
             self._fill(image, face, _lit(paint, gain * 1.05))
 
     def _draw_prism(self, image: Image, prisms: Prisms, i: int, eye: Pose, gain: float) -> None:
-        rotation, half, centre = prisms.rotations[i], prisms.halves[i], prisms.centres[i]
-        corners = (prisms.CORNERS * half) @ rotation.T + centre
+        """Draws the faces that the eye sees. In plain floats: eight corners are too few for arrays to pay."""
+        (rx, ry, rz), half = prisms.rotations[i].tolist(), prisms.halves[i].tolist()
+        x, y, z = prisms.centres[i].tolist()
         c, s = math.cos(eye.heading), math.sin(eye.heading)
-        in_view = (corners[:, :2] - (eye.x, eye.y)) @ np.array([[c, -s], [s, c]])
-        seen = self._lens.in_camera(in_view, corners[:, 2])
-        if self._lens.off_screen(seen):
+        forward, left = c * (x - eye.x) + s * (y - eye.y), c * (y - eye.y) - s * (x - eye.x)
+        # The prism's half axes in the view: forward, left, up.
+        axes = [
+            ((c * ax + s * ay) * h, (c * ay - s * ax) * h, az * h)
+            for ax, ay, az, h in zip(rx, ry, rz, half, strict=True)
+        ]
+        corners = [
+            (
+                forward + i * axes[0][0] + j * axes[1][0] + k * axes[2][0],
+                left + i * axes[0][1] + j * axes[1][1] + k * axes[2][1],
+                z + i * axes[0][2] + j * axes[1][2] + k * axes[2][2],
+            )
+            for i, j, k in prisms.SIGNS
+        ]
+        if self._lens.off_screen(corners):
             return
+        before_the_lens = self._lens.nearest(corners) >= NEAR_M
         # The eye in the prism's own axes tells which of its faces it sees.
-        to_eye = np.array([eye.x, eye.y, self._mount.height]) - centre
-        for axis, (place, reach) in enumerate(zip((to_eye @ rotation).tolist(), half.tolist(), strict=True)):
-            if abs(place) > reach:
-                sign = 1 if place > 0 else -1
-                x, y, z = (sign * rotation[:, axis]).tolist()
-                sunward = x * math.cos(_LIGHT_FROM) + y * math.sin(_LIGHT_FROM)
-                shade = 0.9 + 0.17 * sunward + 0.12 * max(0.0, z)
-                self._fill(image, seen[prisms.FACES[axis, sign]], _lit(prisms.paints[i], gain * shade))
+        to_eye = (eye.x - x, eye.y - y, self._mount.height - z)
+        for axis, (ax, ay, az, reach) in enumerate(zip(rx, ry, rz, half, strict=True)):
+            place = ax * to_eye[0] + ay * to_eye[1] + az * to_eye[2]
+            if abs(place) <= reach:
+                continue
+            sign = 1 if place > 0 else -1
+            sunward = sign * (ax * math.cos(_LIGHT_FROM) + ay * math.sin(_LIGHT_FROM))
+            lit = _lit(prisms.paints[i], gain * (0.9 + 0.17 * sunward + 0.12 * max(0.0, sign * az)))
+            face = [corners[corner] for corner in prisms.FACES[axis, sign]]
+            if before_the_lens:
+                outline = [self._lens.pixel(*corner) for corner in face]
+                cv2.fillConvexPoly(image, np.array(outline, np.int32), lit)
+            else:
+                shape = np.array(face)
+                self._fill(image, self._lens.in_camera(shape[:, :2], shape[:, 2]), lit)
 
     def _draw_false_blob(self, image: Image, gain: float) -> None:
         """A patch of a trained color where nothing of that color is (§4.5.5: noise of the vision system)."""

@@ -1,6 +1,7 @@
 """A tilted pinhole: from the floor plan and heights to pixels."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,11 +55,17 @@ class Lens:
         columns_rows += (self._column, self._row)
         return np.rint(columns_rows).astype(np.int32)
 
-    def off_screen(self, corners: Floats) -> bool:
-        """Whether all corners ``(n, 3)``, in the camera, lie behind it or all to one side of the picture."""
-        right, depth = corners[:, 0], corners[:, 2]
-        edge = self._slope * depth
-        return bool(depth.max() <= NEAR_M or (right > edge).all() or (-right > edge).all())
+    def nearest(self, in_view: Sequence[tuple[float, float, float]]) -> float:
+        """The least depth of points (forward, left, height), along the lens's axis."""
+        return min(self._cos * forward - self._sin * (height - self._height) for forward, _, height in in_view)
+
+    def off_screen(self, in_view: Sequence[tuple[float, float, float]]) -> bool:
+        """Whether all points (forward, left, height) lie behind the lens, or all to one side of the picture."""
+        depths = [self._cos * forward - self._sin * (height - self._height) for forward, _, height in in_view]
+        if max(depths) <= NEAR_M:
+            return True
+        edges = [(left, self._slope * depth) for (_, left, _), depth in zip(in_view, depths, strict=True)]
+        return all(left > edge for left, edge in edges) or all(-left > edge for left, edge in edges)
 
 
 def clipped(face: Floats) -> Floats:

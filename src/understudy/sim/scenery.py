@@ -49,7 +49,8 @@ class WallFace:
 class Prisms:
     """Boxes in any attitude: inner walls (which never move) first, then the geoms of boxes and robots."""
 
-    CORNERS: ClassVar[Floats] = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], np.float64)
+    SIGNS: ClassVar[list[tuple[int, int, int]]] = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    """Of the corners, along the three axes."""
     FACES: ClassVar[dict[tuple[int, int], list[int]]] = {
         (0, -1): [0, 1, 3, 2],
         (0, 1): [4, 5, 7, 6],
