@@ -7,6 +7,8 @@ import argparse
 import os
 import platform
 
+os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")  # as the command line has it
+
 from benchmarks import control_loop, learning_links, recordings, startup, ticks
 
 BENCHMARKS = {

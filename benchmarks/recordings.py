@@ -39,9 +39,8 @@ def main() -> None:
         learned = time.perf_counter()
         print(f"recording of {demonstration.span.duration / 60:.1f} minutes, {path.stat().st_size / 1e6:.0f} MB")
         print(f"  read, perceived and observed in {observed - begun:.1f} s")
-        print(
-            f"  {len(lesson.network.components)} steps and {len(lesson.network.links)} links in {learned - observed:.3f} s"
-        )
+        steps, links = len(lesson.network.components), len(lesson.network.links)
+        print(f"  {steps} steps and {links} links in {learned - observed:.3f} s")
         recording = read_recording(path)
         observations = list(recording.observations())
         print(f"  written again: {rewritten(Path(folder), observations):,.0f} control steps/s")

@@ -1,9 +1,9 @@
 """What a tick costs, by the shape and size of the network, beside py_trees in the same run.
 
-Each task is half done when it is measured: the chain stands at its middle step, half of the parallel steps are achieved. Nothing changes
-from tick to tick, or (``1%``) one component in a hundred, at least one, changes its goal each tick. ``whole`` reads every component's goal by a call, as
-the controller does; ``links`` is given the values, and so is the links, levels and locks alone. py_trees ticks a
-Sequence with memory, and a Parallel.
+Each task is half done when it is measured: the chain stands at its middle step, half of the parallel steps are
+achieved. Nothing changes from tick to tick, or (``1%``) one component in a hundred, at least one, changes its goal each
+tick. ``whole`` reads every component's goal by a call, as the controller does; ``links`` is given the values, and so is
+the links, levels and locks alone. py_trees ticks a Sequence with memory, and a Parallel.
 """
 
 import statistics
@@ -12,8 +12,8 @@ from collections.abc import Callable
 from random import Random
 
 import py_trees
-
 from tests.execution.support import compiled
+
 from understudy.execution import Activation, Context
 from understudy.network import Component, Link, LinkType, Network
 
@@ -115,9 +115,8 @@ def theirs(shape: str, size: int) -> float | None:
 
 
 def main() -> None:
-    print(
-        f"{'µs a tick':<10} {'components':>10} {'whole':>10} {'links':>10} {'whole 1%':>10} {'links 1%':>10} {'py_trees':>10}"
-    )
+    names = " ".join(f"{name:>10}" for name in ("components", "whole", "links", "whole 1%", "links 1%", "py_trees"))
+    print(f"{'µs a tick':<10} {names}")
     for shape in SHAPES:
         for size in SIZES:
             still, moving, peer = ours(shape, size, 0.0), ours(shape, size, 0.01), theirs(shape, size)

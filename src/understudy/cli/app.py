@@ -3,6 +3,7 @@
 Exit codes: 0 done; 1 the robot did not do the task; 2 wrong usage or input; 130 stopped by Ctrl-C.
 """
 
+import os
 import sys
 from typing import Annotated
 
@@ -53,6 +54,8 @@ app.command("doctor", help="What is installed, what is missing, and how to mend 
 
 def main() -> None:
     """Runs the command line; the console script ``understudy``."""
+    # The robot's pictures are so small that waking OpenCV's threads costs more than they save. Read when it is loaded.
+    os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
     try:
         code = app(standalone_mode=False)
     except click.exceptions.Abort:
