@@ -126,7 +126,7 @@ def test_skills_come_through_entry_points() -> None:
 
 
 def test_an_unknown_skill_is_answered_with_those_that_exist() -> None:
-    with pytest.raises(SkillError, match=r"no skill called 'Trak'; did you mean 'Track'\? Installed are: Track, Drop"):
+    with pytest.raises(SkillError, match=r"no skill called 'Trak', did you mean 'Track'\?; installed are: Track, Drop"):
         _ = SkillSet(TRACK, DROP)["Trak"]
 
 

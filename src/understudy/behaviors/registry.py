@@ -28,9 +28,9 @@ class SkillSet(Mapping[str, Skill]):
             return self._skills[name]
         except KeyError:
             close = get_close_matches(name, self._skills, n=1)
-            hint = f"; did you mean {close[0]!r}?" if close else ""
+            hint = f", did you mean {close[0]!r}?" if close else ""
             known = ", ".join(self._skills) or "none"
-            raise SkillError(f"there is no skill called {name!r}{hint} Installed are: {known}") from None
+            raise SkillError(f"there is no skill called {name!r}{hint}; installed are: {known}") from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._skills

@@ -7,7 +7,6 @@ import os
 import sys
 from typing import Annotated
 
-import click
 import typer
 
 from understudy import __version__
@@ -21,7 +20,7 @@ app = typer.Typer(
     name="understudy",
     help="A robot that learns your task by following you, and gets better by practising it.",
     epilog="Start with: understudy demo",
-    no_args_is_help=True,
+    invoke_without_command=True,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
@@ -36,11 +35,13 @@ def _version(wanted: bool) -> None:
 
 @app.callback()
 def _main(
+    context: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
     ] = False,
 ) -> None:
-    pass
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
 
 
 app.command("demo", help="Teach, learn and run a task from beginning to end, with pictures.")(demo.command)
@@ -57,14 +58,14 @@ def main() -> None:
     # The robot's pictures are so small that waking OpenCV's threads costs more than they save. Read when it is loaded.
     os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
     try:
-        code = app(standalone_mode=False)
-    except click.exceptions.Abort:
-        code = _complain("stopped by Ctrl-C; the robot stands still, and what was recorded until then is kept", 130)
-    except KeyboardInterrupt:
-        code = _complain("stopped by Ctrl-C; the robot stands still, and what was recorded until then is kept", 130)
-    except click.ClickException as error:
-        error.show()
-        code = 2
+        # Typer turns Ctrl-C into this exit code.
+        code = app(prog_name="understudy", standalone_mode=False)
+        if code == _INTERRUPTED:
+            _complain("stopped by Ctrl-C; the robot stands still, and what was recorded until then is kept", code)
+    except typer.TyperException as error:  # wrong usage
+        context = getattr(error, "ctx", None)
+        command = context.command_path if context else "understudy"
+        code = _complain(f"{error.format_message()} (see {command} --help)", 2)
     except UnderstudyError as error:
         code = _complain(str(error), 2)
     except BrokenPipeError:
@@ -74,6 +75,9 @@ def main() -> None:
     except OSError as error:
         code = _complain(f"{error.filename or 'a file'}: {error.strerror or error}", 2)
     sys.exit(code or 0)
+
+
+_INTERRUPTED = 130
 
 
 def _complain(problem: str, code: int) -> int:

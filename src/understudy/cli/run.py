@@ -31,11 +31,14 @@ def command(
 ) -> None:
     """Executes a task. Exit code 0 if it was done, 1 if not."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.execution import compile_network  # noqa: PLC0415
     from understudy.network import load_task  # noqa: PLC0415
     from understudy.sessions import Workspace, perform  # noqa: PLC0415
     from understudy.sim import rearranged  # noqa: PLC0415
 
     document, network = load_task(task)
+    skills = installed_skills()
+    compile_network(network, skills, source=str(task))  # what does not fit is refused with the file's name
     room = find_world(world)
     if rearrange is not None:
         room = rearranged(room, rearrange)
@@ -52,7 +55,7 @@ def command(
             document.name,
             network,
             room,
-            installed_skills(),
+            skills,
             seed=seed,
             limit_s=limit,
             recording=stem.with_suffix(".mcap"),

@@ -55,8 +55,13 @@ class Program:
     followers: tuple[int, ...]
 
 
-def compile_network(network: Network, skills: Mapping[str, Skill]) -> Program:
+def compile_network(network: Network, skills: Mapping[str, Skill], *, source: str = "") -> Program:
     """Binds a network to skills.
+
+    Args:
+        network: the definition.
+        skills: by name.
+        source: the document's name, for messages.
 
     Raises:
         NetworkError: a component names a skill that is not there, or gives it parameters that it does not take.
@@ -68,7 +73,7 @@ def compile_network(network: Network, skills: Mapping[str, Skill]) -> Program:
             skill = skills[component.behavior]
             parameters = skill.complete(component.parameters)
         except SkillError as error:
-            raise NetworkError(str(error), path=path) from None
+            raise NetworkError(str(error), source=source, path=path) from None
         abstract = skill.abstract
         actuators = tuple(sorted(abstract.actuators))
         nodes.append(Node(row, component.id, skill, parameters, actuators, abstract.maintaining))
@@ -80,8 +85,8 @@ def compile_network(network: Network, skills: Mapping[str, Skill]) -> Program:
         incoming[arc.target].append(arc)
         outgoing[arc.source].append(arc)
     rivals: list[list[int]] = [[] for _ in nodes]
-    for source, target in network.inhibitions:
-        rivals[rows[source]].append(rows[target])
+    for rival, inhibited in network.inhibitions:
+        rivals[rows[rival]].append(rows[inhibited])
     return Program(
         network=network,
         nodes=tuple(nodes),

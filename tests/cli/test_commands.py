@@ -1,0 +1,234 @@
+"""The command line as a user meets it: in a process of its own, exit codes, one clear line for every mistake."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+import yaml
+
+from understudy.network import load_task
+from understudy.recording import read_recording
+
+PROGRAM = [sys.executable, "-c", "from understudy.cli import main; main()"]
+
+TINY = {
+    "understudy": "world/1",
+    "name": "tiny",
+    "seed": 1,
+    "arena": {"size": [3.0, 3.0]},
+    "targets": [{"color": "green", "at": [2.4, 1.5]}],
+    "robots": [{"name": "learner", "at": [0.5, 0.9], "heading_deg": 0}],
+    "teacher": {
+        "at": [1.3, 0.9],
+        "script": [{"say": "START"}, {"walk": [2.4, 0.9]}, {"walk": [2.6, 0.8]}, {"wait": 1.0}, {"say": "DONE"}],
+    },
+}
+
+
+def understudy(*arguments: object, folder: Path, expect: int = 0) -> subprocess.CompletedProcess[str]:
+    """Runs a command in a folder."""
+    done = subprocess.run(
+        [*PROGRAM, *map(str, arguments)], cwd=folder, capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.returncode == expect, done.stdout + done.stderr
+    assert "Traceback" not in done.stderr
+    return done
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a world, its recording and the task learned from it."""
+    folder = tmp_path_factory.mktemp("cli")
+    (folder / "tiny.yaml").write_text(yaml.safe_dump(TINY), encoding="utf-8")
+    understudy("teach", "tiny.yaml", folder=folder)
+    understudy("learn", "understudy-out/tiny.mcap", folder=folder)
+    return folder
+
+
+def test_help_names_every_command(tmp_path: Path) -> None:
+    help_ = understudy("--help", folder=tmp_path).stdout
+    for command in ("demo", "teach", "learn", "run", "show", "schema", "doctor"):
+        assert f"\n  {command}" in help_
+        assert "Usage:" in understudy(command, "--help", folder=tmp_path).stdout
+
+
+def test_without_a_command_it_helps(tmp_path: Path) -> None:
+    assert understudy(folder=tmp_path).stdout == understudy("--help", folder=tmp_path).stdout
+
+
+def test_help_imports_nothing_heavy() -> None:
+    code = (
+        "import sys, understudy.cli.app as a\n"
+        "heavy = {'numpy', 'cv2', 'mujoco', 'matplotlib', 'pydantic', 'rosbags', 'scipy', 'rich.console'}\n"
+        "print(sorted(heavy & sys.modules.keys()))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_teach_learn_run(workspace: Path) -> None:
+    task, network = load_task(workspace / "understudy-out" / "tiny.yaml")
+    assert task.name == "tiny"
+    assert [component.id for component in network.components] == ["track-green-1"]
+    done = understudy(
+        "run", "understudy-out/tiny.yaml", "--world", "tiny.yaml", "-o", "runs", "--json", folder=workspace
+    )
+    report = json.loads(done.stdout)
+    assert report["done"] is True
+    assert report["collisions"] == {}
+    assert json.loads((workspace / "runs" / "tiny-run.json").read_text()) == report
+    assert read_recording(workspace / "runs" / "tiny-run.mcap").info.kind == "run"
+
+
+def test_a_task_that_was_not_done_exits_with_1(workspace: Path) -> None:
+    done = understudy(
+        "run", "understudy-out/tiny.yaml", "-w", "tiny.yaml", "-o", "late", "--limit", "0.5", folder=workspace, expect=1
+    )
+    assert "Not done: time limit of 0.5 s; missing: track-green-1" in done.stdout
+
+
+def test_nothing_is_overwritten(workspace: Path) -> None:
+    before = (workspace / "understudy-out" / "tiny.mcap").read_bytes()
+    understudy("teach", "tiny.yaml", folder=workspace)
+    assert (workspace / "understudy-out" / "tiny.mcap").read_bytes() == before
+    assert (workspace / "understudy-out" / "tiny-2.mcap").exists()
+
+
+def test_show(workspace: Path) -> None:
+    words = understudy("show", "understudy-out/tiny.yaml", "--picture", "pictures/tiny", folder=workspace).stdout
+    assert "go to the green target" in words
+    for suffix in (".png", ".svg"):
+        assert (workspace / "pictures" / f"tiny{suffix}").stat().st_size > 1000
+    assert understudy("show", "understudy-out/tiny.yaml", "--dot", folder=workspace).stdout.startswith("digraph")
+    told = understudy("show", "understudy-out/tiny.mcap", "--picture", "pictures/shown", folder=workspace).stdout
+    assert "a demonstration of" in told
+    assert "START" in told
+    assert (workspace / "pictures" / "shown-room.png").exists()
+
+
+@pytest.mark.parametrize("document", ["world", "task", "intervals"])
+def test_schema(tmp_path: Path, document: str) -> None:
+    schema = json.loads(understudy("schema", document, folder=tmp_path).stdout)
+    assert schema["properties"]["understudy"]["const"] == f"{document}/1"
+
+
+def test_doctor(tmp_path: Path) -> None:
+    findings = json.loads(understudy("doctor", "--json", folder=tmp_path).stdout)
+    assert all(finding["ok"] for finding in findings)
+    assert {"simulated robot", "skills", "mujoco-core"} <= {finding["what"] for finding in findings}
+
+
+def test_a_document_of_intervals(tmp_path: Path) -> None:
+    (tmp_path / "tea.yaml").write_text(
+        "understudy: intervals/1\nname: tea\nintervals:\n"
+        "  - {label: boil, start: 0, end: 60}\n  - {label: pour, start: 61, end: 70}\n",
+        encoding="utf-8",
+    )
+    done = understudy("learn", "tea.yaml", "--json", folder=tmp_path)
+    assert json.loads(done.stdout)["links"] == [["boil-1", "pour-1", "ordering"]]
+
+
+def world(**changes: object) -> str:
+    return yaml.safe_dump(TINY | changes)
+
+
+MISTAKES = {
+    "no such world": (["teach", "nowhere"], {}, "nowhere: there is no such file, and no such world among: transport"),
+    "malformed world": (["teach", "w.yaml"], {"w.yaml": "arena: ["}, "w.yaml: line 2, column 1: this is no YAML"),
+    "unknown key": (["teach", "w.yaml"], {"w.yaml": world(tragets=[])}, "tragets: unknown key 'tragets'; did you mean"),
+    "unknown color": (
+        ["teach", "w.yaml"],
+        {"w.yaml": world(targets=[{"color": "mauve", "at": [1, 1]}])},
+        "targets[0].color: 'mauve' is unknown here; choose one of: red, orange",
+    ),
+    "no teacher": (["teach", "w.yaml"], {"w.yaml": world(teacher=None)}, "no teacher with a script"),
+    "DONE without START": (
+        ["teach", "w.yaml"],
+        {"w.yaml": world(teacher={"at": [1.3, 0.9], "script": [{"say": "DONE"}]})},
+        "START was never said",
+    ),
+    "unknown skill": (
+        ["run", "t.yaml", "-w", "transport"],
+        {"t.yaml": "understudy: task/1\nname: t\ncomponents: [{id: a, behavior: Dance}]\n"},
+        "t.yaml: components[0] (a): there is no skill called 'Dance'; installed are: Drop",
+    ),
+    "unknown color in a task": (
+        ["run", "t.yaml", "-w", "transport"],
+        {
+            "t.yaml": "understudy: task/1\nname: t\n"
+            "components: [{id: a, behavior: PickUp, parameters: {color: mauve}}]\n"
+        },
+        "components[0] (a): PickUp: 'mauve' is no trained color",
+    ),
+    "cyclic network": (
+        ["show", "t.yaml"],
+        {
+            "t.yaml": "understudy: task/1\nname: t\n"
+            "components: [{id: a, behavior: Drop}, {id: b, behavior: Drop}]\n"
+            "links: [{from: a, to: b, type: ordering}, {from: b, to: a, type: ordering}]\n"
+        },
+        "links: the links run in a circle",
+    ),
+    "no recording": (["learn", "gone.mcap"], {}, "gone.mcap"),
+    "a recording that is none": (["learn", "x.mcap"], {"x.mcap": "hello"}, "x.mcap"),
+    "an empty file": (["learn", "x.mcap"], {"x.mcap": ""}, "x.mcap"),
+    "a task that is a world": (["show", "w.yaml"], {"w.yaml": world()}, "expected 'task/1', given 'world/1'"),
+    "no intervals": (
+        ["learn", "i.yaml"],
+        {"i.yaml": "understudy: intervals/1\nname: n\nintervals: []\n"},
+        "nothing to learn from",
+    ),
+    "a workspace that is a file": (
+        ["teach", "transport", "-o", "file"],
+        {"file": "x"},
+        "the workspace file cannot be made",
+    ),
+    "an unknown option": (["teach", "transport", "--sped", "3"], {}, "No such option"),
+    "a number that is none": (["teach", "transport", "--seed", "x"], {}, "Invalid value for '--seed'"),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_a_mistake_gets_one_clear_message(tmp_path: Path, name: str) -> None:
+    arguments, files, message = MISTAKES[name]
+    for file, content in files.items():
+        (tmp_path / file).write_text(content, encoding="utf-8")
+    before = {path: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()}
+    done = understudy(*arguments, folder=tmp_path, expect=2)
+    assert message in done.stderr
+    assert len(done.stderr.strip().splitlines()) <= 4
+    assert {path: path.read_bytes() for path in before} == before
+
+
+def test_a_truncated_recording_is_learned_from_as_far_as_it_goes(workspace: Path, tmp_path: Path) -> None:
+    content = (workspace / "understudy-out" / "tiny.mcap").read_bytes()
+    (tmp_path / "cut.mcap").write_bytes(content[: int(len(content) * 0.9)])
+    done = understudy("learn", "cut.mcap", folder=tmp_path)
+    assert "cut short" in done.stdout
+    assert "go to the green target" in done.stdout
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+def test_ctrl_c_keeps_what_was_recorded(tmp_path: Path) -> None:
+    script = [{"say": "START"}, *[{"walk": [2.4, 0.9]}, {"walk": [1.3, 0.9]}] * 400, {"say": "DONE"}]
+    (tmp_path / "long.yaml").write_text(
+        world(name="long", teacher={"at": [1.3, 0.9], "script": script}), encoding="utf-8"
+    )
+    process = subprocess.Popen([*PROGRAM, "teach", "long.yaml"], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    recording = tmp_path / "understudy-out" / "long.mcap"
+    for _ in range(600):
+        if recording.exists() and recording.stat().st_size > 300_000:
+            break
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130, errors
+    assert "stopped by Ctrl-C; the robot stands still" in errors
+    found = read_recording(recording)
+    assert found.info.complete
+    assert len(list(found.observations(images=False))) > 10
