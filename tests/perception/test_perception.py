@@ -149,6 +149,27 @@ def test_readings_that_are_not_numbers_are_refused() -> None:
         Perception(PIONEER).update(blind)
 
 
+def test_what_is_remembered_beside_the_robot_is_an_obstacle_still() -> None:
+    """A robot that turns on the spot must not sweep its back into what its laser has just lost sight of."""
+    perception = Perception(PIONEER)
+    beside: Pillar = (Color.GREEN, Point(0.8, 0.0))
+    turn = [Pose(heading=math.radians(degrees)) for degrees in range(0, 121, 4)]
+    percepts = watch(perception, [beside], [Pose(), Pose(), *turn])
+    assert not percepts.targets[0].sensed
+    here = turn[-1].to_local(beside[1])
+    assert np.hypot(*(percepts.obstacles - here).T).min() == approx(0.1, abs=0.06)
+
+
+def test_sonars_see_what_is_beside_and_behind() -> None:
+    sonar = np.full(16, np.inf, np.float32)
+    sonar[[3, 11]] = 0.5  # ahead, where the laser sees better, and behind
+    scan = observed(0.0, []).scan
+    near = Perception(PIONEER).update(Observation(time_s=0.0, scan=scan, sonar=sonar)).obstacles
+    near = near[np.hypot(*near.T) < 1.0]
+    assert len(near) == 1
+    assert near[0][0] == approx(-0.7, abs=0.02)
+
+
 def test_without_pictures_the_laser_still_finds_obstacles() -> None:
     percepts = Perception(PIONEER).update(observed(0.0, [AHEAD], blind=True))
     assert percepts.targets == []

@@ -1,8 +1,16 @@
 """``python -m understudy.experiments``: the table of trials, as Markdown. ``make trials`` calls it."""
 
 import argparse
+import os
 
-from understudy.experiments.trials import EXPERIMENTS, run_trials, summarise, taught_network
+os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")  # as the command line has it; read when OpenCV is loaded
+
+from understudy.experiments.trials import (  # noqa: E402
+    EXPERIMENTS,
+    run_trials,
+    summarise,
+    taught_network,
+)
 
 __all__ = ["main"]
 

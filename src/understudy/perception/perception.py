@@ -12,7 +12,7 @@ from understudy.perception.blobs import Blob, find_blobs
 from understudy.perception.cylinders import Cylinder, find_cylinders
 from understudy.perception.gripper import GripperSense
 from understudy.perception.memory import Memory, MemorySettings, Track
-from understudy.perception.percepts import Percepts
+from understudy.perception.percepts import Percepts, Thing
 from understudy.perception.projection import Projection
 from understudy.robot import TEACHER_COLOR, Observation, RobotSpec, Scan
 
@@ -40,6 +40,9 @@ _TALL_TOP = 0.45
 _BOX_TOP = 0.08
 _BOX_RADIUS = 0.05
 _BEARING_SLACK = math.radians(3.0)
+_LASER_HALF_FIELD = math.radians(85)
+_NEAR = 1.0
+_RIM = np.array([(math.cos(a), math.sin(a)) for a in np.radians(np.arange(0, 360, 30))])
 
 
 class Perception:
@@ -80,14 +83,15 @@ class Perception:
             for thing in self.people.things(time_s, pose)
             if thing.distance_m <= self.settings.teacher_range and thing.sensed
         ]
+        targets = self.targets.things(time_s, pose)
         return Percepts(
             time_s=time_s,
             odometry=observation.odometry,
-            targets=self.targets.things(time_s, pose),
+            targets=targets,
             boxes=self.boxes.things(time_s, pose),
             teacher=people[0] if people else None,
             gripper=gripper,
-            obstacles=self._obstacles(observation),
+            obstacles=self._obstacles(observation, targets),
         )
 
     def _look(self, time_s: float, pose: Pose, scan: Scan, cylinders: list[Cylinder], blobs: list[Blob]) -> None:
@@ -190,19 +194,28 @@ class Perception:
         reading = min(reading, scan.range_max)
         return math.hypot(laser_x + reading * math.cos(bearing), reading * math.sin(bearing))
 
-    def _obstacles(self, observation: Observation) -> NDArray[np.float64]:
+    def _obstacles(self, observation: Observation, targets: list[Thing]) -> NDArray[np.float64]:
         scan = observation.scan
         met = scan.ranges < scan.range_max  # neither inf nor NaN is
         directions = _directions(len(scan.ranges), scan.angle_min, scan.angle_increment)
         laser: NDArray[np.float64] = directions[met] * scan.ranges[met, None]
         laser[:, 0] += self.spec.laser.x
+        return np.concatenate((laser, *self._beside_and_behind(observation, targets)))
+
+    def _beside_and_behind(self, observation: Observation, targets: list[Thing]) -> list[NDArray[np.float64]]:
+        """Where the laser is blind, the sonars' echoes and the remembered targets stand in for it."""
+        found = [
+            np.array([(thing.position.x, thing.position.y)]) + thing.radius * _RIM
+            for thing in targets
+            if not thing.sensed and thing.distance_m < _NEAR
+        ]
         # The laser sees the front better; a sonar's far echo may come from anywhere in its cone.
         echoes = [
             (mount.x + distance * math.cos(mount.heading), mount.y + distance * math.sin(mount.heading))
             for mount, distance in zip(self.spec.sonar_poses, observation.sonar.tolist(), strict=False)
-            if distance < 1.0 and mount.x < 0
+            if distance < _NEAR and abs(mount.heading) > _LASER_HALF_FIELD
         ]
-        return np.concatenate((laser, np.array(echoes))) if echoes else laser
+        return [*found, np.array(echoes)] if echoes else found
 
 
 @lru_cache(maxsize=8)
