@@ -5,7 +5,7 @@ import os
 
 os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")  # as the command line has it; read when OpenCV is loaded
 
-from understudy.experiments.trials import (  # noqa: E402
+from understudy.experiments.trials import (
     EXPERIMENTS,
     run_trials,
     summarise,
