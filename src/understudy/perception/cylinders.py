@@ -27,11 +27,13 @@ class Cylinder:
         center: of the fitted circle, metres, in the robot's frame.
         radius: metres.
         rays: how many rays met it.
+        cut: the sweep ends at it, so that it reaches farther than the fit knows.
     """
 
     center: Point
     radius: float
     rays: int
+    cut: bool = False
 
 
 def find_cylinders(scan: Scan, laser_x: float) -> list[Cylinder]:
@@ -70,7 +72,7 @@ def find_cylinders(scan: Scan, laser_x: float) -> list[Cylinder]:
         first = start + (rays - third) // 2
         reach = sum(ranges[first : first + third]) / third + radius
         center = Point(laser_x + reach * math.cos(bearing), reach * math.sin(bearing))
-        cylinders.append(Cylinder(center=center, radius=radius, rays=rays))
+        cylinders.append(Cylinder(center=center, radius=radius, rays=rays, cut=start == 0 or end == last))
     return cylinders
 
 

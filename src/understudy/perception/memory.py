@@ -91,9 +91,15 @@ class Memory:
             track.believed = True
         return track
 
-    def felt(self, track: Track, time_s: float, pose: Pose, position: Point, radius: float) -> None:
-        """The laser met a believed thing at ``position`` (robot's frame); it tells no color."""
-        self._move(track, time_s, pose.to_parent(position), radius)
+    def felt(self, track: Track, time_s: float, pose: Pose, position: Point, radius: float, *, whole: bool) -> None:
+        """The laser met a believed thing at ``position`` (robot's frame); it tells no color.
+
+        Where the sweep ends at it and it is not met ``whole``, it is there, but memory knows better where.
+        """
+        if whole:
+            self._move(track, time_s, pose.to_parent(position), radius)
+        else:
+            track.seen_s, track.misses = time_s, 0
 
     def _move(self, track: Track, time_s: float, place: Point, radius: float) -> None:
         keep, take = 1 - self.settings.smoothing, self.settings.smoothing

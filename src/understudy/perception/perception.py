@@ -152,7 +152,7 @@ class Perception:
                     continue
                 free.remove(near)
                 if track.believed and track.seen_s < time_s:
-                    memory.felt(track, time_s, pose, near.center, near.radius)
+                    memory.felt(track, time_s, pose, near.center, near.radius, whole=not near.cut)
 
     def _forget(self, time_s: float, pose: Pose, scan: Scan, *, looked: bool) -> None:
         """Forgets what should have been met and was not."""
