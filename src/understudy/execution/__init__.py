@@ -3,6 +3,7 @@
 from understudy.execution.activation import Activation, Step
 from understudy.execution.context import Context
 from understudy.execution.controller import Controller, Decision
+from understudy.execution.ports import Ports
 from understudy.execution.program import Arc, Node, Program, compile_network
 from understudy.execution.run import RunReport, run_network
 from understudy.execution.trace import Event, State
@@ -15,6 +16,7 @@ __all__ = [
     "Decision",
     "Event",
     "Node",
+    "Ports",
     "Program",
     "RunReport",
     "State",

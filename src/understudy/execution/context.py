@@ -2,11 +2,16 @@
 
 from dataclasses import dataclass, field
 from random import Random
+from typing import Any
 
 from understudy.behaviors import Memory
 from understudy.execution.program import Program
+from understudy.execution.trace import State
 
-__all__ = ["Context"]
+__all__ = ["Context", "Told"]
+
+Told = tuple[State, dict[str, Any]]
+"""A component's state, and the first condition that decides it."""
 
 
 @dataclass(slots=True)
@@ -24,6 +29,9 @@ class Context:
         memories: what primitives remember, by row.
         wander: what ``Wander`` remembers.
         random: the only source of chance.
+        told: the state of every row that the trace has told last.
+        avoiding: ``Avoid`` overrode the wheels in the previous tick.
+        completed: completion has been told.
     """
 
     effects: list[bool]
@@ -36,6 +44,9 @@ class Context:
     keep_on: frozenset[int] = frozenset()
     memories: dict[int, Memory] = field(default_factory=dict)
     wander: Memory = field(default_factory=dict)
+    told: dict[int, Told] = field(default_factory=dict)
+    avoiding: bool = False
+    completed: bool = False
 
     @classmethod
     def start(cls, program: Program, seed: int = 0) -> "Context":

@@ -6,7 +6,8 @@ from typing import Any
 
 from understudy.behaviors import Action, Actuator, Motion, Skill, Wander
 from understudy.execution.activation import Activation, Step
-from understudy.execution.context import Context
+from understudy.execution.context import Context, Told
+from understudy.execution.ports import Ports
 from understudy.execution.program import Program, compile_network
 from understudy.execution.trace import Event, State
 from understudy.network import Network
@@ -49,9 +50,6 @@ class Controller:
         self.activation = Activation(self.program, self.context)
         self.motion = Motion(spec)
         self.wander = Wander()
-        self._states: dict[int, tuple[State, Mapping[str, Any]]] = {}
-        self._overridden = False
-        self._announced = False
 
     def tick(self, percepts: Percepts) -> Decision:
         """Steps 1 to 8 for one observation's percepts."""
@@ -65,14 +63,38 @@ class Controller:
         events = self._changes(percepts.time_s, before, purposeful, step)
         command, overridden = self._act(percepts, step)
         self.activation.commit(step)
-        if overridden is not self._overridden:
+        if overridden is not context.avoiding:
             events.append(Event(time_s=percepts.time_s, kind="avoid", detail={"on": overridden}))
-            self._overridden = overridden
+            context.avoiding = overridden
         complete = step.complete and not context.keep_on
-        if complete and not self._announced:
+        if complete and not context.completed:
             events.append(Event(time_s=percepts.time_s, kind="complete"))
-            self._announced = True
+            context.completed = True
         return Decision(command=command, events=tuple(events), step=step, complete=complete)
+
+    def resume(self, context: Context) -> None:
+        """Goes on from a context of the same program, saved after a tick."""
+        self.context = context
+        self.activation = Activation(self.program, context)
+
+    def ports(self, id_: str) -> Ports:
+        """The ports of a component after the last tick (§3.2.1).
+
+        Raises:
+            KeyError: no component has this id.
+        """
+        context, activation = self.context, self.activation
+        row = self.program.rows[id_]
+        incoming = self.program.incoming[row]
+        return Ports(
+            use_behavior=True,
+            activ_level=activation.levels[row],
+            inhibit=row in context.inhibited,
+            preconditions={self.program.nodes[arc.source].id: activation.satisfied[arc.row] for arc in incoming},
+            continue_=row in context.keep_on,
+            active=row in context.active,
+            effects=context.effects[row],
+        )
 
     def _act(self, percepts: Percepts, step: Step) -> tuple[Command, bool]:
         """Step 7: the primitives of executing components, ``Wander`` when the wheels are free, ``Avoid`` over all."""
@@ -110,13 +132,13 @@ class Controller:
             events.append(Event(time_s=time_s, kind="achieved", component=nodes[row].id, detail=detail))
         for row in sorted(step.touched):
             state = self._state(row, step)
-            if state != self._states.get(row):
-                self._states[row] = state
+            if state != context.told.get(row):
+                context.told[row] = state
                 detail = {"state": state[0].value, **state[1]}
                 events.append(Event(time_s=time_s, kind="state", component=nodes[row].id, detail=detail))
         return events
 
-    def _state(self, row: int, step: Step) -> tuple[State, Mapping[str, Any]]:
+    def _state(self, row: int, step: Step) -> Told:
         """A component's state, and the first condition that decides it."""
         nodes, activation = self.program.nodes, self.activation
         if row in step.active:

@@ -38,6 +38,7 @@ class Program:
 
     Attributes:
         nodes: one a component.
+        rows: of the nodes, by id.
         arcs: one a link.
         incoming, outgoing: for every node, the arcs that end and begin there.
         rivals: for every node, the nodes that it inhibits while it executes.
@@ -47,6 +48,7 @@ class Program:
 
     network: Network
     nodes: tuple[Node, ...]
+    rows: Mapping[str, int]
     arcs: tuple[Arc, ...]
     incoming: tuple[tuple[Arc, ...], ...]
     outgoing: tuple[tuple[Arc, ...], ...]
@@ -90,6 +92,7 @@ def compile_network(network: Network, skills: Mapping[str, Skill], *, source: st
     return Program(
         network=network,
         nodes=tuple(nodes),
+        rows=rows,
         arcs=arcs,
         incoming=tuple(map(tuple, incoming)),
         outgoing=tuple(map(tuple, outgoing)),
