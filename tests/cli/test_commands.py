@@ -8,11 +8,13 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 import yaml
 
 from understudy.network import load_task
-from understudy.recording import read_recording
+from understudy.recording import Recorder, read_recording
+from understudy.robot import PIONEER, Cue, Observation, Scan
 
 PROGRAM = [sys.executable, "-c", "from understudy.cli import main; main()"]
 
@@ -152,6 +154,14 @@ MISTAKES = {
         {"w.yaml": world(teacher={"at": [1.3, 0.9], "script": [{"say": "DONE"}]})},
         "START was never said",
     ),
+    "empty demonstration": (
+        ["learn", "i.yaml"],
+        {
+            "i.yaml": "understudy: intervals/1\nname: n\nintervals: [{label: a, start: 0, end: 1}]\n"
+            "cues: [{time: 9, cue: HERE}]\n"
+        },
+        "every observation was left out",
+    ),
     "unknown skill": (
         ["run", "t.yaml", "-w", "transport"],
         {"t.yaml": "understudy: task/1\nname: t\ncomponents: [{id: a, behavior: Dance}]\n"},
@@ -211,6 +221,14 @@ def test_a_truncated_recording_is_learned_from_as_far_as_it_goes(workspace: Path
     done = understudy("learn", "cut.mcap", folder=tmp_path)
     assert "cut short" in done.stdout
     assert "go to the green target" in done.stdout
+
+
+def test_a_recording_without_usable_readings(tmp_path: Path) -> None:
+    blind = Observation(time_s=0.0, scan=Scan(ranges=np.full(181, np.nan, np.float32)), cues=(Cue.START,))
+    with Recorder(tmp_path / "blind.mcap", kind="demonstration", name="blind", spec=PIONEER) as recorder:
+        recorder.observation(blind)
+    done = understudy("learn", "blind.mcap", folder=tmp_path, expect=2)
+    assert "the laser gave no usable ray at t=0.0 s" in done.stderr
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
