@@ -10,6 +10,7 @@ from understudy.experiments.trials import (
     run_trials,
     summarise,
     taught_network,
+    teaching_trials,
 )
 
 __all__ = ["main"]
@@ -28,8 +29,10 @@ def main() -> None:
     seeds = range(arguments.seed, arguments.seed + arguments.trials)
     for name in arguments.names:
         world, network = taught_network(name)
-        for room in ("same", "changed"):
-            trials = list(run_trials(name, world, network, room, seeds))
+        for room in ("taught", "same", "changed"):
+            trials = list(
+                teaching_trials(name, seeds) if room == "taught" else run_trials(name, world, network, room, seeds)
+            )
             found = summarise(trials)
             print(
                 f"| {name} | {room} | {found.successes} of {found.trials} | {found.low:.0%} to {found.high:.0%} "

@@ -16,7 +16,16 @@ from understudy.network import Network
 from understudy.sessions import perform, teach
 from understudy.sim import World, load_world, rearranged, world_path
 
-__all__ = ["EXPERIMENTS", "Summary", "Trial", "run_trials", "summarise", "taught_network"]
+__all__ = [
+    "EXPERIMENTS",
+    "Summary",
+    "Trial",
+    "run_trials",
+    "structure",
+    "summarise",
+    "taught_network",
+    "teaching_trials",
+]
 
 EXPERIMENTS = ("visit_targets", "transport")
 """Bundled worlds with a scripted teacher."""
@@ -27,7 +36,7 @@ class Trial:
     """One execution.
 
     Attributes:
-        experiment, room, seed: which.
+        experiment, room, seed: which; the room is ``taught``, ``same`` or ``changed``.
         time_s: simulated time until it was done, or given up.
         problems: what was wrong; empty for a success.
         collisions, grazes: how many hard and soft contacts.
@@ -65,6 +74,33 @@ def taught_network(experiment: str, seed: int | None = None) -> tuple[World, Net
     world = load_world(world_path(experiment))
     taught = teach(world, installed_skills(), seed=seed)
     return world, learn(taught.demonstration).network
+
+
+def structure(network: Network) -> tuple[tuple[str, str, str], ...]:
+    """What two lessons of one task must have in common: the steps, their order, the types of the links."""
+    return tuple((link.source, link.target, link.type.value) for link in network.links)
+
+
+def teaching_trials(experiment: str, seeds: Sequence[int]) -> Iterator[Trial]:
+    """Shows the task once for every seed; a success is a clean demonstration from which the same task is learned.
+
+    The reference is what is learned with the world's own seed, which the tests compare with the text (§4.5.4).
+    """
+    world, reference = taught_network(experiment)
+    for seed in seeds:
+        taught = teach(world, installed_skills(), seed=seed)
+        problems = [f"ran into a {what} ({count} ×)" for what, count in taught.verdict.collisions.items()]
+        if structure(learn(taught.demonstration).network) != structure(reference):
+            problems.append("another task was learned")
+        yield Trial(
+            experiment=experiment,
+            room="taught",
+            seed=seed,
+            time_s=taught.demonstration.span.duration,
+            problems=tuple(problems),
+            collisions=sum(taught.verdict.collisions.values()),
+            grazes=sum(taught.verdict.grazes.values()),
+        )
 
 
 def run_trials(
