@@ -170,6 +170,33 @@ def test_sonars_see_what_is_beside_and_behind() -> None:
     assert near[0][0] == approx(-0.7, abs=0.02)
 
 
+def test_a_gap_in_the_sweep_is_not_free_space() -> None:
+    scan = observed(0.0, [AHEAD]).scan
+    scan.ranges[85:96] = np.nan
+    scan.ranges[84] = 0.6
+    percepts = Perception(PIONEER).update(Observation(time_s=0.0, scan=scan))
+    ahead = percepts.obstacles[np.abs(percepts.obstacles[:, 1]) < 0.06]
+    assert np.allclose(np.hypot(ahead[:, 0] - PIONEER.laser.x, ahead[:, 1]), 0.6, atol=1e-6)
+    assert len(ahead) >= 10
+
+
+def test_a_larger_picture_of_the_same_shape_is_seen_the_same() -> None:
+    perception = Perception(PIONEER)
+    for index in range(3):
+        small = observed(index * 0.1, [AHEAD])
+        assert small.image is not None
+        large = np.repeat(np.repeat(small.image, 4, axis=0), 4, axis=1)
+        percepts = perception.update(Observation(time_s=index * 0.1, scan=small.scan, image=large))
+    [thing] = percepts.targets
+    assert thing.angle_deg == approx(90, abs=2)
+
+
+def test_a_picture_of_another_shape_is_refused() -> None:
+    square = Observation(time_s=0.0, scan=observed(0.0, []).scan, image=np.zeros((100, 100, 3), np.uint8))
+    with pytest.raises(RobotError, match=r"shape \(100, 100, 3\); the pioneer's has \(120, 160, 3\)"):
+        Perception(PIONEER).update(square)
+
+
 def test_without_pictures_the_laser_still_finds_obstacles() -> None:
     percepts = Perception(PIONEER).update(observed(0.0, [AHEAD], blind=True))
     assert percepts.targets == []

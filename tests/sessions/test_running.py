@@ -15,7 +15,7 @@ from understudy.perception import Percepts
 from understudy.recording import read_recording
 from understudy.robot import Color
 from understudy.sessions import Performed, Stage, perform
-from understudy.sim import rearranged
+from understudy.sim import World, rearranged
 
 from .conftest import Demonstrated
 
@@ -156,3 +156,22 @@ def test_a_task_that_does_not_fit_is_refused_before_anything_is_written(demonstr
     with pytest.raises(NetworkError, match=r"components\[0\] \(d\): there is no skill called 'Dance'"):
         perform("dance", dance, demonstrated("transport").world, installed_skills(), recording=path)
     assert not path.exists()
+
+
+def test_another_box_in_the_gripper_is_let_go() -> None:
+    """The laser passes over small boxes: on its way the robot may catch the wrong one."""
+    room = World.from_data(
+        {
+            "understudy": "world/1",
+            "name": "two boxes",
+            "seed": 0,
+            "arena": {"size": [4.0, 4.0]},
+            "boxes": [{"color": "orange", "at": [2.6, 2.0]}, {"color": "pink", "at": [1.9, 2.02]}],
+            "robots": [{"name": "learner", "at": [1.0, 2.0]}],
+        }
+    )
+    fetch = Network((Component(id="p", behavior="PickUp", parameters={"color": "orange"}),))
+    stages: list[Stage] = []
+    performed = perform("fetch", fetch, room, installed_skills(), limit_s=120.0, prepare=stages.append)
+    assert performed.report.done
+    assert stages[0].referee.held_box() == 0

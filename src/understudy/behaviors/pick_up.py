@@ -66,6 +66,8 @@ class PrimitivePickUp:
 
     back_ticks = 30
     leave_ticks = 60
+    release_ticks = (8, 22, 40)
+    """Opening; then straight back until the paddles' tips are clear; then turning away."""
 
     def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         gripper = percepts.gripper
@@ -73,9 +75,13 @@ class PrimitivePickUp:
         if gripper is None or (box is None and not gripper.blocked):
             return Action(drive=Drive()), {}
         phase, ticks = memory.get("phase", "approach"), memory.get("ticks", 0) + 1
+        if phase == "release":
+            return self._release(ticks)
         if gripper.blocked and phase != "close":
             phase, ticks = "close", 1
         if phase == "close":
+            if ticks > _SETTLE_TICKS and gripper.holding and gripper.color != parameters["color"]:
+                return self._release(1)  # another box got in between
             return self._close(gripper.blocked, ticks)
         assert box is not None
         if phase in ("back", "leave"):
@@ -125,6 +131,14 @@ class PrimitivePickUp:
             keep_on=ticks < 2 * _SETTLE_TICKS,
         )
         return action, {"phase": "close", "ticks": ticks}
+
+    def _release(self, ticks: int) -> tuple[Action, Memory]:
+        opened, clear, turned = self.release_ticks
+        drive = Drive()
+        if ticks > opened:
+            drive = Drive(linear=-0.15, angular=0.6 if ticks > clear else 0.0)
+        action = Action(drive=drive, paddles="open", lift="down")
+        return action, {"phase": "release", "ticks": ticks} if ticks < turned else {"phase": "approach"}
 
     def _withdraw(self, box: Thing, phase: str, ticks: int) -> tuple[Action, Memory]:
         drive: Drive | Head = Drive(linear=-0.15)

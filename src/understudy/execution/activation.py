@@ -21,7 +21,7 @@ class Step:
     """What one tick decided; rows of the program's nodes.
 
     Attributes:
-        achieved: newly achieved in this tick, in the order found.
+        achieved: newly achieved in this tick, predecessors first.
         active: the port ``Active`` is true; executing or searching.
         executing: active, its world precondition holds, and its actuators are its own.
         locked: active, its world precondition holds, but a lock is another's: the row of that other.
@@ -99,27 +99,28 @@ class Activation:
 
     def _latch(self) -> tuple[int, ...]:
         """Step 3: whoever is due and has its goal is achieved, which may make others due, in the same tick."""
-        context, found = self.context, []
-        waiting = self._due
-        self._due = []
-        while waiting:
-            row = waiting.pop()
-            if context.achieved[row] or self.unmet[row] or not context.effects[row]:
-                continue
-            if row in context.inhibited:
-                self._due.append(row)
-                continue
-            context.achieved[row] = True
-            found.append(row)
-            self._touched.add(row)
-            if row in self._sinks:
-                self._open_sinks -= 1
-                self._raise_level(row, -1)
-            for arc in self.program.outgoing[row]:
-                self._refresh(arc)
-            waiting += self._due
-            self._due = []
-        return tuple(sorted(found))
+        context = self.context
+        found: list[int] = []
+        still_inhibited: list[int] = []
+        while self._due:
+            # One after the other as they become due; those that do so together in document order.
+            round_, self._due = sorted(set(self._due)), []
+            for row in round_:
+                if context.achieved[row] or self.unmet[row] or not context.effects[row]:
+                    continue
+                if row in context.inhibited:
+                    still_inhibited.append(row)
+                    continue
+                context.achieved[row] = True
+                found.append(row)
+                self._touched.add(row)
+                if row in self._sinks:
+                    self._open_sinks -= 1
+                    self._raise_level(row, -1)
+                for arc in self.program.outgoing[row]:
+                    self._refresh(arc)
+        self._due = still_inhibited
+        return tuple(found)
 
     def _activate(self) -> frozenset[int]:
         """Step 5, without the locks; the levels of step 4 are up to date already."""
@@ -172,7 +173,7 @@ class Activation:
         if inhibited != context.inhibited:
             freed = context.inhibited.keys() - inhibited.keys()
             self._due += freed
-            self._touched |= context.inhibited.keys() ^ inhibited.keys()
+            self._touched |= {row for row, _ in context.inhibited.items() ^ inhibited.items()}
             context.inhibited = inhibited
         context.executing = executing
         context.tick += 1

@@ -11,7 +11,7 @@ from understudy.execution.trace import State
 __all__ = ["Context", "Told"]
 
 Told = tuple[State, dict[str, Any]]
-"""A component's state, and the first condition that decides it."""
+"""A component's state, the first condition that decides it, and all others that do."""
 
 
 @dataclass(slots=True)
@@ -28,7 +28,7 @@ class Context:
         keep_on: rows whose primitive asserted ``Continue`` in the previous tick.
         memories: what primitives remember, by row.
         wander: what ``Wander`` remembers.
-        random: the only source of chance.
+        random: the only source of chance (not looked at when contexts are compared).
         told: the state of every row that the trace has told last.
         avoiding: ``Avoid`` overrode the wheels in the previous tick.
         completed: completion has been told.
@@ -36,7 +36,7 @@ class Context:
 
     effects: list[bool]
     achieved: list[bool]
-    random: Random
+    random: Random = field(compare=False)
     tick: int = 0
     active: frozenset[int] = frozenset()
     executing: tuple[int, ...] = ()

@@ -139,7 +139,7 @@ class Controller:
         return events
 
     def _state(self, row: int, step: Step) -> Told:
-        """A component's state, and the first condition that decides it."""
+        """A component's state, the first condition that decides it, and all ``also`` missing ones."""
         nodes, activation = self.program.nodes, self.activation
         if row in step.active:
             if row in step.executing:
@@ -149,7 +149,9 @@ class Controller:
             return State.SEARCHING, {"reason": "world"}
         if activation.levels[row] == 0:
             return State.ACHIEVED, {}
+        missing = [{"reason": arc.type.value, "for": nodes[arc.source].id} for arc in activation.refusals(row)]
         if row in self.context.inhibited:
-            return State.INHIBITED, {"by": nodes[self.context.inhibited[row]].id}
-        missing = activation.refusals(row)[0]
-        return State.WAITING, {"reason": missing.type.value, "for": nodes[missing.source].id}
+            by: dict[str, Any] = {"by": nodes[self.context.inhibited[row]].id}
+            return State.INHIBITED, by | ({"also": missing} if missing else {})
+        first, *others = missing
+        return State.WAITING, first | ({"also": others} if others else {})

@@ -29,9 +29,9 @@ class Event:
 
     Attributes:
         time_s: of the observation that brought it about.
-        kind: ``state``, ``goal`` (a component's goal came true or ceased), ``achieved``, ``reached`` (on purpose: the
-        beep of
-            A.4), ``avoid``, ``complete``, ``stopped``.
+        kind: ``state`` (a component's state, with reasons), ``goal`` (its goal came true, or ceased to be),
+            ``achieved`` (``on_purpose``: by the robot's own doing, the beep of A.4), ``avoid``, ``complete``,
+            ``stopped``.
         component: its id, where it is about one.
         detail: what else belongs to it, plain data: the new state, the reason of a refusal, the component in the way.
     """

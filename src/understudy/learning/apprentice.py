@@ -1,6 +1,6 @@
 """The robot in its learning mode: it follows the teacher, obeys TAKE and DROP, and watches its goals (§4.1, §4.2)."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from random import Random
 from typing import Any, Literal
@@ -86,30 +86,63 @@ class Apprentice:
         self._random = Random(seed)
         self._news: list[dict[str, Any]] = []
 
-    def step(self, percepts: Percepts, cues: Iterable[Cue]) -> tuple[Command, list[dict[str, Any]]]:
+    def step(self, percepts: Percepts, cues: Sequence[Cue]) -> tuple[Command, list[dict[str, Any]]]:
         """The command for this tick, and the events to be recorded."""
-        self._news = [{"time_s": percepts.time_s, "kind": "heard", "cue": cue.value} for cue in cues]
+        self._news = []
         for cue in cues:
-            self._hear(cue, percepts)
+            self._tell(percepts, "heard", cue=cue.value)
+            refusal = self._hear(cue, percepts)
+            if refusal:
+                self._tell(percepts, "ignored", cue=cue.value, what=refusal)
         action = self._act(percepts)
         command, _ = self._motion.command([action], percepts)
         return command, self._news
 
-    def _hear(self, cue: Cue, percepts: Percepts) -> None:
-        if cue is Cue.START and self.mode == "idle":
-            self.mode = "following"
-        elif cue is Cue.DONE:
-            self.mode = "done"
-        elif self.mode in ("following", "looking") and cue is Cue.TAKE and "PickUp" in self.skills:
-            self.mode, self._look_until_s = "looking", percepts.time_s + self.look_s
-        elif self.mode in ("following", "looking") and cue is Cue.DROP and "Drop" in self.skills:
-            self._begin(self.skills["Drop"], {}, percepts)
+    def _hear(self, cue: Cue, percepts: Percepts) -> str:
+        """Obeys a word, or says why not."""
+        match cue, self.mode:
+            case Cue.START, "idle":
+                self.mode = "following"
+            case Cue.DONE, mode if mode != "idle":
+                self.mode, self._errand = "done", None
+            case Cue.TAKE | Cue.DROP, "idle" | "done":
+                return "no demonstration is going on"
+            case Cue.TAKE, _:
+                return self._take(percepts)
+            case Cue.DROP, _:
+                return self._drop(percepts)
+            case Cue.START | Cue.DONE, _:
+                return f"a demonstration {'is going on' if cue is Cue.START else 'has not begun'}"
+        return ""
+
+    def _take(self, percepts: Percepts) -> str:
+        if "PickUp" not in self.skills or percepts.gripper is None:
+            return "this robot cannot pick things up"
+        if percepts.gripper.blocked:
+            return "there is something in the gripper already"
+        if self.mode == "busy":
+            return "the robot is busy"
+        self.mode, self._look_until_s = "looking", percepts.time_s + self.look_s
+        return ""
+
+    def _drop(self, percepts: Percepts) -> str:
+        """DROP also ends an attempt to pick something up."""
+        if "Drop" not in self.skills or percepts.gripper is None:
+            return "this robot has no gripper"
+        if percepts.gripper.empty:
+            return "there is nothing in the gripper"
+        if self._errand is not None and self._errand.skill.name == "Drop":
+            return "the robot is dropping it already"
+        self._begin(self.skills["Drop"], {}, percepts)
+        return ""
+
+    def _tell(self, percepts: Percepts, kind: str, **detail: Any) -> None:
+        self._news.append({"time_s": percepts.time_s, "kind": kind, **detail})
 
     def _begin(self, skill: Skill, given: Mapping[str, object], percepts: Percepts) -> None:
         self.mode = "busy"
         self._errand = Errand(skill, skill.complete(given), percepts.time_s + self.errand_s, {})
-        words = skill.abstract.describe(self._errand.parameters)
-        self._news.append({"time_s": percepts.time_s, "kind": "errand", "skill": skill.name, "what": words})
+        self._tell(percepts, "errand", skill=skill.name, what=skill.abstract.describe(self._errand.parameters))
 
     def _act(self, percepts: Percepts) -> Action:
         if self.mode == "looking":
@@ -119,7 +152,7 @@ class Apprentice:
             if box is not None:
                 self._begin(self.skills["PickUp"], {"color": box.color}, percepts)
             elif percepts.time_s > self._look_until_s:
-                self._news.append({"time_s": percepts.time_s, "kind": "missed", "what": "no box in view after TAKE"})
+                self._tell(percepts, "missed", what="no box in view after TAKE")
                 self.mode = "following"
             else:
                 return Action(drive=Drive())
@@ -135,7 +168,7 @@ class Apprentice:
         reached = errand.skill.abstract.goal(percepts, errand.parameters) and not action.keep_on
         if reached or percepts.time_s > errand.until_s:
             kind = "errand-done" if reached else "errand-failed"
-            self._news.append({"time_s": percepts.time_s, "kind": kind, "skill": errand.skill.name})
+            self._tell(percepts, kind, skill=errand.skill.name)
             self.mode, self._errand = "following", None
         return action
 
@@ -157,7 +190,7 @@ def demonstrate(
         skills: by name.
         settings: of the learner.
         name: of the demonstration.
-        limit_s: after which a demonstration without DONE is ended; it counts up to then.
+        limit_s: seconds after which a demonstration without DONE is ended; it counts up to then.
         journal: is told everything, for a recording.
         watch: is called after every tick, for a display.
 
@@ -169,7 +202,11 @@ def demonstrate(
     perception, observer = Perception(robot.spec), Observer(settings)
     apprentice = Apprentice(skills, robot.spec)
 
+    begun_s: float | None = None
+
     def decide(observation: Observation) -> Command | None:
+        nonlocal begun_s
+        begun_s = observation.time_s if begun_s is None else begun_s
         percepts = perception.update(observation)
         observer.step(observation.time_s, evaluate(percepts, skills), observation.cues)
         command, news = apprentice.step(percepts, observation.cues)
@@ -177,7 +214,7 @@ def demonstrate(
             journal.event(event)
         if watch is not None:
             watch(percepts, observer)
-        over = apprentice.mode == "done" or observation.time_s >= limit_s
+        over = apprentice.mode == "done" or observation.time_s - begun_s >= limit_s
         return None if over else command
 
     control(robot, decide, journal, period_s=CONTROL_PERIOD_S)

@@ -5,7 +5,7 @@ In this order, and the first reason that applies is the one reported:
 1. *False indications.* Shorter than ``min_duration_s``, or last seen farther away than ``max_distance_m``. Intervals
    that somebody annotated are no sensor readings: here they all pass. So does what the robot itself did at TAKE or
    DROP (``cue_effects``): a teacher who says DONE as soon as the box is down meant the dropping none the less.
-2. *Conditions that never changed*, when ``keep_unchanging`` is off.
+2. *Conditions that never changed*, when ``keep_unchanging`` is off. Annotated intervals pass here, too.
 3. *Saliency*, when the teacher said HERE, TAKE or DROP at all. An observation is salient when
 
    * one of these words falls into its interval, by ``cue_grace_s`` at most before or after it. Whatever the word:
@@ -85,7 +85,8 @@ def _reason_against(observed: Observed, demonstration: Demonstration, settings: 
         if distance > settings.max_distance_m:
             return f"{distance:.1f} m away (at most {settings.max_distance_m:g} m)"
     lasted_to_the_end = micros(span.end) - micros(interval.end) <= micros(settings.tolerance_s)
-    if not settings.keep_unchanging and not observed.values and begun_at_start and lasted_to_the_end:
+    unchanging = not observed.values and begun_at_start and lasted_to_the_end and not demonstration.annotated
+    if unchanging and not settings.keep_unchanging:
         return "true from the beginning to the end"
     if demonstration.cues and not observed.cues:
         standing = observed.instance.behavior in settings.standing and begun_at_start and not demonstration.annotated

@@ -1,12 +1,14 @@
 """From observations to percepts: camera and laser merged, with working memory (§3.5.3.2, A.3)."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from understudy.errors import RobotError
 from understudy.geometry import Point, Pose
 from understudy.perception.blobs import Blob, find_blobs
 from understudy.perception.cylinders import Cylinder, find_cylinders
@@ -71,12 +73,15 @@ class Perception:
             RobotError: the readings cannot be used (:meth:`Observation.check`).
         """
         observation.check()
+        image = observation.image
+        if image is not None and image.shape != (self.spec.camera.rows, self.spec.camera.width, 3):
+            image = self._resized(image)
         time_s, pose = observation.time_s, observation.odometry.pose
         cylinders = find_cylinders(observation.scan, self.spec.laser.x)
-        if observation.image is not None:
-            self._look(time_s, pose, observation.scan, cylinders, find_blobs(observation.image))
+        if image is not None:
+            self._look(time_s, pose, observation.scan, cylinders, find_blobs(image))
         self._feel(time_s, pose, cylinders)
-        self._forget(time_s, pose, observation.scan, looked=observation.image is not None)
+        self._forget(time_s, pose, observation.scan, looked=image is not None)
         gripper = self.gripper.update(time_s, pose, observation.gripper, self.boxes)
         people = [
             thing
@@ -93,6 +98,21 @@ class Perception:
             gripper=gripper,
             obstacles=self._obstacles(observation, targets),
         )
+
+    def _resized(self, image: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """The picture in the size that the robot's camera has by its spec.
+
+        Raises:
+            RobotError: it is no RGB picture, or has another shape, so that its directions cannot be told.
+        """
+        camera = self.spec.camera
+        same_shape = image.ndim == 3 and image.shape[1] * camera.rows == image.shape[0] * camera.width
+        if not same_shape or image.shape[2] != 3:
+            raise RobotError(
+                f"the camera's picture has the shape {image.shape}; the {self.spec.name}'s has "
+                f"({camera.rows}, {camera.width}, 3), or a multiple of it: check the camera topic"
+            )
+        return cv2.resize(image, (camera.width, camera.rows), interpolation=cv2.INTER_AREA).astype(np.uint8)
 
     def _look(self, time_s: float, pose: Pose, scan: Scan, cylinders: list[Cylinder], blobs: list[Blob]) -> None:
         """Enters the camera's blobs into memory: tall ones by the laser's distance, small ones by the floor's."""
@@ -195,8 +215,8 @@ class Perception:
         return math.hypot(laser_x + reading * math.cos(bearing), reading * math.sin(bearing))
 
     def _obstacles(self, observation: Observation, targets: list[Thing]) -> NDArray[np.float64]:
-        scan = observation.scan
-        met = scan.ranges < scan.range_max  # neither inf nor NaN is
+        scan = _filled(observation.scan)
+        met = scan.ranges < scan.range_max  # inf is not
         directions = _directions(len(scan.ranges), scan.angle_min, scan.angle_increment)
         laser: NDArray[np.float64] = directions[met] * scan.ranges[met, None]
         laser[:, 0] += self.spec.laser.x
@@ -216,6 +236,19 @@ class Perception:
             if distance < _NEAR and abs(mount.heading) > _LASER_HALF_FIELD
         ]
         return [*found, np.array(echoes)] if echoes else found
+
+
+def _filled(scan: Scan) -> Scan:
+    """The sweep with every unusable ray taking the nearer of its usable neighbours: a gap is not free space."""
+    bad = np.isnan(scan.ranges)
+    if not bad.any():
+        return scan
+    usable = np.flatnonzero(~bad)
+    place = np.searchsorted(usable, np.flatnonzero(bad))
+    before, after = usable[np.maximum(place - 1, 0)], usable[np.minimum(place, len(usable) - 1)]
+    ranges = scan.ranges.copy()
+    ranges[bad] = np.minimum(scan.ranges[before], scan.ranges[after])
+    return replace(scan, ranges=ranges)
 
 
 @lru_cache(maxsize=8)

@@ -12,6 +12,9 @@ from understudy.robot.cues import Cue
 
 __all__ = ["GripperReading", "Observation", "Odometry", "Scan"]
 
+_MAX_BAD_RAYS = 0.2
+"""Share of unusable rays from which on a sweep is refused; single ones are normal."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Scan:
@@ -86,7 +89,7 @@ class Observation:
     def check(self) -> None:
         """Refuse readings on which no decision can rest.
 
-        Single unusable rays are normal and pass; perception ignores them.
+        A few unusable rays are normal and pass; perception takes their neighbours' word.
 
         Raises:
             RobotError: the time or the odometry is not a number, or the laser gave no usable ray at all.
@@ -97,7 +100,17 @@ class Observation:
                 f"the odometry at t={self.time_s} s is not a number ({pose}); "
                 "check the wheel encoders or the /odom topic"
             )
-        if self.scan.ranges.size == 0 or bool(np.isnan(self.scan.ranges).all()):
+        rays = self.scan.ranges.size
+        bad = int(np.isnan(self.scan.ranges).sum())
+        if not rays or bad > _MAX_BAD_RAYS * rays:
             raise RobotError(
-                f"the laser gave no usable ray at t={self.time_s} s (all NaN or empty); check the /scan topic"
+                f"{bad} of {rays} laser rays are unusable (NaN) at t={self.time_s} s, and the robot must "
+                "not drive blindly; check the laser or the /scan topic"
+            )
+        speeds = (self.odometry.linear, self.odometry.angular)
+        hand = (self.gripper.aperture, self.gripper.lift) if self.gripper else ()
+        if not all(map(math.isfinite, (*speeds, *hand))):
+            raise RobotError(
+                f"speeds {speeds} or gripper {hand} are not numbers at t={self.time_s} s; "
+                "check the /odom and /joint_states topics"
             )
