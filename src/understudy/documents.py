@@ -12,13 +12,21 @@ from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
 import yaml
-from pydantic import BaseModel, BeforeValidator, ConfigDict, GetJsonSchemaHandler, ValidationError, model_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    GetJsonSchemaHandler,
+    ValidationError,
+    model_validator,
+)
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from understudy.errors import DocumentError
 
-__all__ = ["Part", "TextOrNumber", "first_fault", "path_text", "read_data"]
+__all__ = ["Name", "Part", "TextOrNumber", "first_fault", "parse_text", "path_text", "read_data"]
 
 # libyaml is ten times faster than the reader in Python; it is missing where PyYAML was built without it.
 _SafeLoader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -30,6 +38,8 @@ class _Loader(_SafeLoader):  # type: ignore[misc]  # its base is chosen above
     def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
         seen: set[str] = set()
         for key, _ in node.value:
+            if not isinstance(key, yaml.ScalarNode):
+                raise yaml.constructor.ConstructorError(None, None, "a key must be a plain word", key.start_mark)
             if key.value in seen:
                 raise yaml.constructor.ConstructorError(
                     None, None, f"the key {key.value!r} is given twice", key.start_mark
@@ -47,6 +57,9 @@ def _text_or_number(given: Any) -> Any:
         )
     return given
 
+
+Name = Annotated[str, Field(min_length=1, max_length=80, pattern=r"\S")]
+"""What things are called in documents, and files after them."""
 
 TextOrNumber = Annotated[str | float, BeforeValidator(_text_or_number)]
 """A parameter's value. The check comes before pydantic's union, whose own message would name both alternatives."""
@@ -109,17 +122,43 @@ def read_data(path: str | Path, kind: type[DocumentError] = DocumentError) -> An
         raise kind("the file is no text in UTF-8, so it is no document", source=str(path)) from None
     except OSError as error:
         raise kind(f"the file cannot be read: {error.strerror or error}", source=str(path)) from None
+    return parse_text(text, source=str(path), kind=kind, as_json=path.suffix.lower() == ".json")
+
+
+def parse_text(text: str, *, source: str, kind: type[DocumentError] = DocumentError, as_json: bool = False) -> Any:
+    """The plain data of a document's text.
+
+    Args:
+        text: YAML or JSON.
+        source: the document's name, for messages.
+        kind: the error to raise.
+        as_json: it is JSON.
+
+    Raises:
+        DocumentError: it is not YAML or JSON, or gives a key twice.
+    """
     try:
-        return json.loads(text) if path.suffix.lower() == ".json" else yaml.load(text, Loader=_Loader)  # noqa: S506 - derived from a safe one
+        return json.loads(text, object_pairs_hook=_once) if as_json else yaml.load(text, Loader=_Loader)  # noqa: S506
     except json.JSONDecodeError as error:
         place = f"line {error.lineno}, column {error.colno}"
-        raise kind(f"this is no JSON: {error.msg}", source=str(path), path=place) from None
+        raise kind(f"this is no JSON: {error.msg}", source=source, path=place) from None
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         place = f"line {mark.line + 1}, column {mark.column + 1}" if mark else ""
-        raise kind(f"this is no YAML: {error.problem or error.context}", source=str(path), path=place) from None
-    except (yaml.YAMLError, ValueError) as error:  # ValueError: YAML's 2024-13-45
-        raise kind(f"this is no YAML: {' '.join(str(error).split())}", source=str(path)) from None
+        raise kind(f"this is no YAML: {error.problem or error.context}", source=source, path=place) from None
+    except RecursionError:
+        raise kind("this is nested too deeply to be a document", source=source) from None
+    except (yaml.YAMLError, ValueError) as error:  # ValueError: YAML's 2024-13-45, or a key given twice
+        raise kind(f"this is no document: {' '.join(str(error).split())}", source=source) from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in found:
+            raise ValueError(f"the key {key!r} is given twice")
+        found[key] = value
+    return found
 
 
 def path_text(location: tuple[int | str, ...]) -> str:

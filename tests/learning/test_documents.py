@@ -123,7 +123,7 @@ def test_faults_are_told_with_their_place(data: object, path: str, message: str)
     ("name", "content", "message"),
     [
         ("a.yaml", b"intervals: [", "this is no YAML: did not find expected node content"),
-        ("a.yaml", b"name: 2024-13-45", "this is no YAML: month must be in 1..12"),
+        ("a.yaml", b"name: 2024-13-45", "this is no document: month must be in 1..12"),
         ("a.json", b"{", "this is no JSON: Expecting property name"),
         ("a.yaml", b"\xff\xfe\xff", "no text in UTF-8"),
     ],

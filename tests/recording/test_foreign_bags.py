@@ -39,11 +39,11 @@ def written(path: Path, messages: list[tuple[str, float, object]], topics: Topic
 
 
 def moving(until_s: int, laser_hz: int = 40) -> list[tuple[str, float, object]]:
-    """A laser and 50 Hz odometry; x is the odometry's time, the first ray the laser's."""
+    """A laser and 50 Hz odometry; x is the odometry's time, the first ray the laser's and 1 m more."""
     scans = [START_S + i / laser_hz for i in range(until_s * laser_hz)]
     odoms = [START_S - 0.01 + i / 50 for i in range(until_s * 50)]
     return [
-        *(("/scan", t, laser(t, [t - START_S, 2.0])) for t in scans),
+        *(("/scan", t, laser(t, [1 + t - START_S, 2.0])) for t in scans),
         *(("/odom", t, odometry(t, t - START_S, 0.3)) for t in odoms),
     ]
 
@@ -109,7 +109,7 @@ def test_a_slow_laser_gives_one_observation_a_scan(tmp_path: Path) -> None:
 def test_the_newest_reading_before_the_scan_is_held(tmp_path: Path) -> None:
     # The messages stand in the file topic by topic: it is their times that count.
     for obs in written(tmp_path / "a.mcap", moving(2)).observations():
-        assert obs.scan.ranges[0] == pytest.approx(obs.time_s, abs=1e-5)
+        assert obs.scan.ranges[0] == pytest.approx(1 + obs.time_s, abs=1e-5)
         assert 0 <= obs.time_s - obs.odometry.pose.x < 0.0201
 
 
@@ -136,12 +136,25 @@ def test_two_runs_in_one_bag_are_refused(tmp_path: Path) -> None:
         list(recording.observations())
 
 
-def test_a_scan_with_nan_and_infinity_passes_through_unchanged(tmp_path: Path) -> None:
-    ranges = np.array([math.nan, math.inf, -math.inf, 0.0, 1e30], np.float32)
-    messages = [("/odom", 0.9, odometry(0.9, 0, 0)), ("/scan", 1.0, laser(1.0, ranges))]
-    (obs,) = written(tmp_path / "a.mcap", messages).observations()
+def ranges_read(path: Path, ranges: list[float], range_min: float) -> np.ndarray:
+    scan = laser(1.0, ranges)
+    scan.range_min = range_min
+    (obs,) = written(path, [("/odom", 0.9, odometry(0.9, 0, 0)), ("/scan", 1.0, scan)]).observations()
     assert obs.scan.ranges.dtype == np.float32
-    assert obs.scan.ranges.tobytes() == ranges.tobytes()
+    return obs.scan.ranges
+
+
+def test_what_is_nearer_than_the_laser_measures_is_unusable(tmp_path: Path) -> None:
+    """REP 117: -inf is too near; many drivers give 0.0 for a ray without a reading."""
+    given = [math.nan, math.inf, -math.inf, 0.0, -1.0, 0.09, 0.1, 0.2, 1e30]
+    ranges = ranges_read(tmp_path / "a.mcap", given, range_min=0.1)
+    expected = [math.nan, math.inf, math.nan, math.nan, math.nan, math.nan, 0.1, 0.2, 1e30]
+    assert np.array_equal(ranges, np.array(expected, np.float32), equal_nan=True)
+
+
+def test_a_driver_that_does_not_tell_its_shortest_range_measures_nothing_at_none(tmp_path: Path) -> None:
+    ranges = ranges_read(tmp_path / "a.mcap", [0.0, -math.inf, 0.01], range_min=0.0)
+    assert np.array_equal(ranges, np.array([math.nan, math.nan, 0.01], np.float32), equal_nan=True)
 
 
 def one_image(path: Path, topic: str, message: object) -> np.ndarray:

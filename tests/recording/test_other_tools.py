@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 import pytest
 from rosbags.highlevel import AnyReader
+from scipy.spatial.transform import Rotation
 
 from tests.recording.support import drive, record
 from understudy.recording import Recorder
@@ -36,15 +37,23 @@ def test_rosbags_reads_every_topic_by_the_definitions_in_the_file(tmp_path: Path
         "/joint_states": "sensor_msgs/msg/JointState",
         "/gripper/beam": "std_msgs/msg/Bool",
         "/gripper/command": "std_msgs/msg/String",
+        "/tf": "tf2_msgs/msg/TFMessage",
+        "/tf_static": "tf2_msgs/msg/TFMessage",
         "/cues": "std_msgs/msg/String",
         "/cmd_vel": "geometry_msgs/msg/Twist",
         "/understudy/observation": "understudy_msgs/msg/Observation",
         "/understudy/command": "understudy_msgs/msg/Command",
         "/understudy/events": "std_msgs/msg/String",
     }
-    assert {topic: len(messages) for topic, messages in by_topic.items() if topic in ("/scan", "/cmd_vel")} == {
+    assert {
+        topic: len(messages)
+        for topic, messages in by_topic.items()
+        if topic in ("/scan", "/cmd_vel", "/tf", "/tf_static")
+    } == {
         "/scan": 12,
         "/cmd_vel": 1,
+        "/tf": 12,
+        "/tf_static": 1,
     }
     scan, odom, image = by_topic["/scan"][3], by_topic["/odom"][3], by_topic["/camera/image_raw/compressed"][1]
     assert (scan.header.stamp.sec, scan.header.stamp.nanosec) == (0, 300_000_000)
@@ -65,6 +74,40 @@ def test_rosbags_reads_every_topic_by_the_definitions_in_the_file(tmp_path: Path
     assert by_topic["/gripper/command"][0].data == "close up"
     assert by_topic["/cmd_vel"][0].angular.z == -0.5
     assert by_topic["/understudy/observation"][3].heading == live[3].odometry.pose.heading
+
+
+def test_transforms_place_the_robot_its_laser_and_its_camera(tmp_path: Path) -> None:
+    live = drive(4)
+    found: dict[str, list[Any]] = {"/tf": [], "/tf_static": []}
+    with AnyReader([record(tmp_path / "a.mcap", live)]) as reader:
+        for connection, _, raw in reader.messages([c for c in reader.connections if c.topic in found]):
+            found[connection.topic] += reader.deserialize(raw, connection.msgtype).transforms
+    for obs, moved in zip(live, found["/tf"], strict=True):
+        assert (moved.header.frame_id, moved.child_frame_id) == ("odom", "base_link")
+        assert moved.header.stamp.sec + moved.header.stamp.nanosec / 1e9 == pytest.approx(obs.time_s)
+        place, pose = moved.transform.translation, obs.odometry.pose
+        assert (place.x, place.y, place.z) == (pose.x, pose.y, 0.0)
+        heading = rotation(moved).as_euler("xyz")
+        assert heading.tolist() == pytest.approx([0.0, 0.0, math.remainder(pose.heading, math.tau)])
+    laser, camera = found["/tf_static"]
+    assert [(one.header.frame_id, one.child_frame_id) for one in (laser, camera)] == [
+        ("base_link", "laser"),
+        ("base_link", "camera"),
+    ]
+    place = laser.transform.translation
+    assert (place.x, place.y, place.z) == (PIONEER.laser.x, 0.0, PIONEER.laser.height)
+    assert rotation(laser).magnitude() == 0.0
+    place = camera.transform.translation
+    assert (place.x, place.y, place.z) == (PIONEER.camera.x, 0.0, PIONEER.camera.height)
+    # An image's frame: z looks into the picture, x to its right, y down in it.
+    tilt = PIONEER.camera.tilt
+    assert rotation(camera).apply([0, 0, 1]).tolist() == pytest.approx([math.cos(tilt), 0, -math.sin(tilt)])
+    assert rotation(camera).apply([1, 0, 0]).tolist() == pytest.approx([0, -1, 0])
+
+
+def rotation(transform: Any) -> Rotation:
+    turned = transform.transform.rotation
+    return Rotation.from_quat([turned.x, turned.y, turned.z, turned.w])
 
 
 def test_sonar_points_lie_where_the_sonars_heard_something(tmp_path: Path) -> None:

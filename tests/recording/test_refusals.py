@@ -130,6 +130,22 @@ def test_a_full_disk_says_what_is_kept(tmp_path: Path) -> None:
     assert live[len(kept) - 1].time_s >= promised_s
 
 
+@pytest.mark.parametrize("limit", [0, 100])
+def test_a_disk_that_is_full_from_the_beginning_leaves_no_file(tmp_path: Path, limit: int) -> None:
+    resource = pytest.importorskip("resource", reason="limits a file's size; Windows has no such thing")
+    path = tmp_path / "a.mcap"
+    old = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, old[1]))
+    try:
+        with pytest.raises(RecordingError, match=r"a\.mcap cannot be written: .*there is no such file now"):
+            recorder(path)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, old)
+    assert not path.exists()
+    with recorder(path) as into:  # the name is free
+        into.observation(drive(1)[0])
+
+
 def test_files_that_are_no_recordings(tmp_path: Path) -> None:
     def of(name: str, content: bytes) -> Path:
         (tmp_path / name).write_bytes(content)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from rosbags.highlevel import AnyReader
 
 from tests.recording.support import bits, drive, observations, record
 from understudy.errors import RecordingError
@@ -44,6 +45,44 @@ def test_commands_come_back_with_their_exact_times(given_commands: list[tuple[fl
             for time_s, command in given_commands:
                 into.command(time_s, command)
         assert list(read_recording(path).commands()) == given_commands
+
+
+def test_the_gripper_is_told_only_what_is_new_to_it(tmp_path: Path) -> None:
+    close = Command(paddles="close", lift="up")
+    given_commands = [
+        Command(linear=0.1),
+        close,
+        close,
+        Command(linear=0.2),
+        Command(paddles="close"),
+        Command(lift="down"),
+        close,
+        Command(paddles="open"),
+        Command(paddles="open", lift="up"),
+    ]
+    with Recorder(tmp_path / "a.mcap", kind="run", name="a", spec=PIONEER) as into:
+        into.observation(drive(1)[0])
+        for step, command in enumerate(given_commands):
+            into.command(step / 10, command)
+    with AnyReader([tmp_path / "a.mcap"]) as reader:
+        connections = [connection for connection in reader.connections if connection.topic == "/gripper/command"]
+        told = [
+            (time_ns / 1e9, reader.deserialize(raw, connection.msgtype).data)
+            for connection, time_ns, raw in reader.messages(connections)
+        ]
+    assert told == [(0.1, "close up"), (0.5, "down"), (0.6, "close up"), (0.7, "open")]
+    assert [command for _, command in read_recording(tmp_path / "a.mcap").commands()] == given_commands
+
+
+def test_a_command_that_could_not_be_recorded_does_not_count_as_told(tmp_path: Path) -> None:
+    with Recorder(tmp_path / "a.mcap", kind="run", name="a", spec=PIONEER) as into:
+        into.observation(drive(1)[0])
+        with pytest.raises(RecordingError, match="t=-1 s cannot be recorded"):
+            into.command(-1, Command(paddles="open"))
+        with pytest.raises(Exception, match="float"):
+            into.command(0.0, Command(linear="fast", paddles="open"))  # type: ignore[arg-type]
+        into.command(0.1, Command(paddles="open"))
+    assert read_recording(tmp_path / "a.mcap").info.topics["/gripper/command"].count == 1
 
 
 def test_a_real_drive_with_a_camera_comes_back(tmp_path: Path) -> None:

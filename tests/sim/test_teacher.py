@@ -1,14 +1,18 @@
 """The scripted teacher: leads, waits, comes back, speaks at the right moment, and pushes nobody."""
 
 import math
+import re
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any
 
 import pytest
 
 from tests.sim.support import drive, grasp, simulate, toward
+from understudy.behaviors import installed_skills
 from understudy.geometry import Point
-from understudy.robot import Color, Cue
+from understudy.learning import demonstrate, learn
+from understudy.robot import Color, Cue, NoJournal
 from understudy.sim import Referee, Simulation
 
 
@@ -171,8 +175,151 @@ def test_waiting_for_a_box_to_be_held_and_let_go() -> None:
     drive(robot, 1.0)
     assert robot.sense().cues == ()
     simulation.move_box(Color.ORANGE, (1.0, 1.0))
-    drive(robot, 0.2)
+    drive(robot, 0.3)
     assert robot.sense().cues == (Cue.DONE,)
+
+
+def before_a_box(*script: Any) -> Simulation:
+    return scripted(*script, at=(3.5, 2.0), boxes=[{"color": "orange", "at": [2.0, 2.65]}])
+
+
+def test_a_box_is_held_only_when_it_is_lifted() -> None:
+    simulation = before_a_box({"wait_for": "robot_holds_box"}, {"say": "HERE"})
+    robot = simulation.robot()
+    drive(robot, 1.2, paddles="open", lift="down")
+    drive(robot, 2.3, linear=0.15)
+    drive(robot, 2.0, paddles="close")
+    assert simulation.truth.gripped_box(0) == 0
+    assert robot.sense().cues == ()
+    drive(robot, 1.2, lift="up")
+    assert robot.sense().cues == (Cue.HERE,)
+
+
+def test_the_robot_is_empty_only_when_it_has_put_its_gripper_away() -> None:
+    simulation = before_a_box({"wait_for": "robot_holds_box"}, {"wait_for": "robot_empty"}, {"say": "DONE"})
+    robot = simulation.robot()
+    grasp(robot)
+    steps: list[dict[str, Any]] = [
+        {"lift": "down"},
+        {"paddles": "open"},
+        {"linear": -0.15},
+        {"paddles": "close"},  # not yet lifted
+        {"paddles": "open", "lift": "up"},  # lifted, but open
+    ]
+    for step in steps:
+        drive(robot, 2.0, **step)
+        assert robot.sense().cues == (), step
+        assert not simulation.teacher_done, step
+    assert simulation.truth.gripped_box(0) is None
+    drive(robot, 1.0, paddles="close")
+    assert robot.sense().cues == (Cue.DONE,)
+
+
+def test_a_drop_is_learned_when_done_comes_as_soon_as_the_robot_is_empty() -> None:
+    simulation = scripted(
+        {"say": "START"},
+        {"wait": 2.0},
+        {"say": "TAKE"},
+        {"wait_for": "robot_holds_box"},
+        {"wait": 3.0},
+        {"say": "DROP"},
+        {"wait_for": "robot_empty"},
+        {"say": "DONE"},
+        at=(2.6, 2.9),
+        boxes=[{"color": "orange", "at": [2.0, 2.9]}],
+    )
+    robot = simulation.robot()
+    news: list[str] = []
+
+    class Listener(NoJournal):
+        def event(self, event: Mapping[str, Any]) -> None:
+            news.append(f"{event['kind']} {event.get('skill', event.get('cue', ''))}")
+
+    lesson = learn(demonstrate(robot, installed_skills(), name="drop", limit_s=60.0, journal=Listener()))
+    assert [str(observed.instance) for observed in lesson.kept][-2:] == ["PickUp(color=orange)", "Drop"]
+    assert news[-2:] == ["errand-done Drop", "heard DONE"]
+    assert not simulation.teacher_complaints
+
+
+def test_the_teacher_complains_of_what_never_came() -> None:
+    simulation = scripted(
+        {"say": {"word": "HERE", "when_robot_within": 1.2, "of": [0.4, 5.2], "timeout": 3.0}},
+        {"say": {"word": "DROP", "when_robot_past": [2.0, 5.0], "timeout": 1.5}},
+        {"wait_for": {"condition": "robot_holds_box", "timeout": 2.0}},
+        {"wait_for": "robot_empty"},
+        {"say": "DONE"},
+    )
+    while not simulation.teacher_done:
+        simulation.step()
+    times, sentences = zip(*simulation.teacher_complaints, strict=True)
+    assert sentences == (
+        "HERE was said after 3 s in vain: the robot never came within 1.2 m of (0.4, 5.2)",
+        "DROP was said after 1.5 s in vain: the robot never got past (2.0, 5.0)",
+        "waited 2 s in vain for: robot_holds_box",
+    )
+    assert times == pytest.approx((3.0, 4.5, 6.5), abs=0.25)
+
+
+def test_the_default_patience_is_thirty_seconds() -> None:
+    simulation = scripted({"wait_for": "robot_holds_box"})
+    drive(simulation.robot(), 29.9)
+    assert not simulation.teacher_complaints
+    drive(simulation.robot(), 0.3)
+    assert [sentence for _, sentence in simulation.teacher_complaints] == ["waited 30 s in vain for: robot_holds_box"]
+
+
+def test_a_word_on_a_walk_is_complained_of_at_its_end() -> None:
+    saying = {"word": "HERE", "when_robot_within": 0.5, "of": [0.5, 0.5], "timeout": 1.0}
+    simulation = scripted({"walk": {"to": [2.0, 3.4], "say": saying}}, {"wait": 1.0})
+    follow(simulation, 20.0)
+    ((time_s, sentence),) = simulation.teacher_complaints
+    assert sentence.endswith("in vain: the robot never came within 0.5 m of (0.5, 0.5)")
+    assert time_s > 1.5  # not in the middle of the walk, when its patience was over
+
+
+def test_a_blocked_walk_is_complained_of_once() -> None:
+    wall = {"from": [0.0, 3.5], "to": [4.0, 3.5]}
+    simulation = scripted({"step_aside": [2.0, 4.5]}, {"say": "DONE"}, at=(2.0, 3.0), walls=[wall])
+    while not simulation.teacher_done:
+        simulation.step()
+        assert simulation.time_s < 60
+    ((_, sentence),) = simulation.teacher_complaints
+    assert re.fullmatch(r"gave up walking 1\.\d m before \(2\.0, 4\.5\): something is in the way", sentence)
+
+
+def test_where_the_teacher_is_can_be_asked() -> None:
+    of = {"when_robot_within": 1.2, "of": [0.4, 5.25]}
+    simulation = scripted(
+        {"say": "START"},
+        {"wait": 0.3},
+        {"step_aside": [2.1, 2.8]},
+        {"wait_for": {"condition": "robot_holds_box", "timeout": 0.3}},
+        {"say": {"word": "DROP", "when_robot_past": [2, 5], "timeout": 0.3}},
+        {"say": {"word": "HERE", "timeout": 0.3, **of}},
+        {"walk": {"to": [2.4, 5.0], "say": {"word": "TAKE", **of}}},
+    )
+    told = [simulation.teacher_at]
+    for _ in range(100):
+        simulation.step()
+        if simulation.teacher_at != told[-1]:
+            told.append(simulation.teacher_at)
+    assert told == [
+        "script[0]: say START",
+        "script[1]: wait 0.3 s",
+        "script[2]: step aside to (2.1, 2.8)",
+        "script[3]: wait for robot_holds_box",
+        "script[4]: say DROP when the robot is past (2.0, 5.0)",
+        "script[5]: say HERE when the robot is within 1.2 m of (0.4, 5.25)",
+        "script[6]: walk to (2.4, 5.0), saying TAKE when the robot is within 1.2 m of (0.4, 5.25)",
+    ]
+
+
+def test_nobody_is_nowhere_and_has_no_complaints() -> None:
+    assert simulate().teacher_at == ""
+    assert simulate().teacher_complaints == []
+    simulation = scripted({"say": "DONE"})
+    drive(simulation.robot(), 0.2)
+    assert simulation.teacher_at == ""
 
 
 def test_the_teacher_never_walks_into_the_robot_a_target_or_a_box() -> None:

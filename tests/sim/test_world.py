@@ -1,5 +1,6 @@
 """World documents: what is refused, where, and in which words."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,7 @@ import yaml
 
 from tests.sim.support import world_data
 from understudy.errors import WorldError
-from understudy.robot import Color
+from understudy.robot import Color, Cue
 from understudy.sim import World, load_world, world_names, world_path
 
 TEACHER = {"at": [1.0, 1.0]}
@@ -59,6 +60,23 @@ FAULTS: list[tuple[str, dict[str, Any], str, str]] = [
         "teacher.script[0].walk",
         "targets[0]",
     ),
+    (
+        "blue target",
+        {"teacher": TEACHER, "targets": [{"color": "red", "at": [3, 3]}, {"color": "blue", "at": [3, 4]}]},
+        "targets[1].color",
+        "the teacher's color",
+    ),
+    ("blue box", {"teacher": TEACHER, "boxes": [{"color": "blue", "at": [3, 4]}]}, "boxes[0].color", "light orange"),
+    ("seed", {"seed": -1}, "seed", "this must be a whole number, 0 or more, given -1"),
+    ("half a seed", {"seed": 1.5}, "seed", "this must be a whole number, 0 or more, given 1.5"),
+    ("no name", {"name": ""}, "name", "this must be text of 1 to 80 characters that are not all blank, given ''"),
+    ("blank name", {"name": "  "}, "name", "not all blank, given '  '"),
+    ("long name", {"name": 81 * "x"}, "name", "this must be text of 1 to 80 characters"),
+    ("numeric name", {"name": 7}, "name", "this must be text of 1 to 80 characters"),
+    ("no radius", {"targets": [{"color": "red", "at": [1, 1], "radius": 0}]}, "targets[0].radius", "above 0, at most"),
+    ("big box", {"boxes": [{"color": "red", "at": [1, 1], "size": 0.5}]}, "boxes[0].size", "from 0.03 to 0.14, given"),
+    ("speed", {"teacher": {**TEACHER, "speed": 3}}, "teacher.speed", "m/s above 0, at most 2, given 3"),
+    ("patience", {"teacher": {**TEACHER, "script": [{"wait": -1}]}}, "teacher.script[0].wait", "seconds, 0 or more"),
     ("leads nobody", {"teacher": {**TEACHER, "leads": "rex"}}, "teacher.leads", "learner"),
     ("not finite", {"targets": [{"color": "red", "at": [float("nan"), 1]}]}, "targets[0].at[0]", "finite"),
 ]
@@ -72,6 +90,8 @@ def test_a_fault_is_refused_with_its_path(changes: dict[str, Any], path: str, wo
     assert words in caught.value.problem
     assert str(caught.value).startswith(f"room.yaml: {path}: ")
     assert "\n" not in str(caught.value)
+    # The words of a library for programmers: nobody who writes a world has to know them.
+    assert not re.search(r"input should|string should|valid (integer|number|string)", str(caught.value).lower())
 
 
 def test_an_unknown_color_is_answered_with_all_eight() -> None:
@@ -127,6 +147,30 @@ def test_shorthands_mean_the_same_as_the_long_forms() -> None:
     assert World.from_data(short) == World.from_data(long)
 
 
+def test_blue_is_free_where_nobody_teaches() -> None:
+    blue = {"targets": [{"color": "blue", "at": [3, 4]}], "boxes": [{"color": "blue", "at": [3, 5]}]}
+    assert World.from_data(world_data(**blue)).targets[0].color is Color.BLUE
+
+
+def test_a_world_needs_no_seed() -> None:
+    data = world_data()
+    del data["seed"]
+    assert World.from_data(data).seed == 0
+
+
+@pytest.mark.parametrize("word", ["take", "Take", {"word": "take"}])
+def test_words_need_no_capitals(word: object) -> None:
+    world = World.from_data(world_data(teacher={**TEACHER, "script": [{"say": word}]}))
+    assert world.teacher is not None
+    assert world.teacher.script[0].say is not None
+    assert world.teacher.script[0].say.word is Cue.TAKE
+
+
+def test_an_unknown_word_is_shown_as_it_was_written() -> None:
+    with pytest.raises(WorldError, match=r"'tkae' is unknown here; choose one of: START, HERE, TAKE, DROP, DONE"):
+        World.from_data(world_data(teacher={**TEACHER, "script": [{"say": "tkae"}]}))
+
+
 @pytest.mark.parametrize("name", world_names())
 def test_a_bundled_world_loads_and_survives_being_written(name: str) -> None:
     world = load_world(world_path(name))
@@ -140,7 +184,7 @@ def test_the_schema_is_as_closed_as_the_parser() -> None:
     mappings = [part for entry in definitions for part in entry.get("anyOf", [entry]) if "properties" in part]
     assert len(mappings) >= 11
     assert all(part["additionalProperties"] is False for part in mappings)
-    assert set(schema["required"]) == {"understudy", "name", "seed", "arena", "robots"}
+    assert set(schema["required"]) == {"understudy", "name", "arena", "robots"}
     assert set(schema["$defs"]["Color"]["enum"]) == {color.value for color in Color}
     assert set(schema["$defs"]["Wall"]["properties"]) == {"from", "to"}
     short, long = schema["$defs"]["Saying"]["anyOf"]

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from understudy.behaviors.avoid import Avoid
 from understudy.behaviors.skill import Action, Drive, Head
+from understudy.behaviors.surroundings import surroundings
 from understudy.perception import Percepts
 from understudy.robot import Command, RobotSpec
 
@@ -33,10 +34,10 @@ class Motion:
         lift = next((action.lift for action in actions if action.lift), None)
         driving = next((action for action in actions if action.drive is not None), None)
         if driving is not None and driving.drive is not None:
-            wanted = driving.drive
+            wanted, obstacles = driving.drive, surroundings(percepts, driving.aim)
             if isinstance(wanted, Head):
-                wanted = self.avoid.steer(wanted, percepts.obstacles, driving.aim, driving.aim_radius)
-            drive, overridden = self.avoid.guard(wanted, percepts.obstacles, driving.aim, driving.aim_radius)
+                wanted = self.avoid.steer(wanted, obstacles, driving.aim, driving.aim_radius)
+            drive, overridden = self.avoid.guard(wanted, obstacles, driving.aim, driving.aim_radius)
         top, spin = self.spec.max_linear, self.spec.max_angular
         command = Command(
             linear=max(-top, min(top, drive.linear)),

@@ -61,13 +61,23 @@ class PrimitivePickUp:
     prepare_distance = 1.5
     """From here on the gripper is lowered and opened."""
 
+    lowering_distance = 0.50
+    """Up to here; nearer, the paddles' tips are above the box."""
+
     fresh_s = 2.0
     """A box seen this short a time ago is preferred to nearer ones that are only remembered."""
 
+    patience_s = 6.0
+    """Without coming nearer to the box for so long, the robot drives away and comes again another way."""
+
+    withdraw_distance = 0.95
+    """From here the box can be seen and approached anew."""
+
     back_ticks = 30
     leave_ticks = 60
-    release_ticks = (8, 22, 40)
-    """Opening; then straight back until the paddles' tips are clear; then turning away."""
+    stray_ticks = 30
+    release_ticks = (8, 45, 60)
+    """Opening; then straight back until the camera sees what was let go; then turning away."""
 
     def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         gripper = percepts.gripper
@@ -84,21 +94,37 @@ class PrimitivePickUp:
                 return self._release(1)  # another box got in between
             return self._close(gripper.blocked, ticks)
         assert box is not None
-        if phase in ("back", "leave"):
-            return self._withdraw(box, phase, ticks)
-        return self._approach(box, ready=gripper.open and not gripper.raised)
+        ready = gripper.open and not gripper.raised
+        if phase == "approach":
+            memory = self._watch_progress(percepts.time_s, box, memory)
+            if percepts.time_s - memory["since_s"] > self.patience_s:
+                phase, ticks = "leave", 1
+            elif self._out_of_reach(box, ready=ready):
+                phase, ticks = "back", 1
+            else:
+                return self._approach(box, ready=ready), memory
+        return self._withdraw(percepts, box, {**memory, "phase": phase, "ticks": ticks}, random)
+
+    @staticmethod
+    def _watch_progress(time_s: float, box: Thing, memory: Memory) -> Memory:
+        left = box.position.distance + 0.3 * abs(box.bearing)
+        if left < memory.get("nearest", math.inf) - 0.03:
+            return memory | {"nearest": left, "since_s": time_s}
+        return memory
 
     def _chosen(self, percepts: Percepts, color: Color) -> Thing | None:
         same = [box for box in percepts.boxes if box.color == color]
         fresh = [box for box in same if percepts.time_s - box.seen_s <= self.fresh_s]
         return next(iter(fresh or same), None)
 
-    def _approach(self, box: Thing, *, ready: bool) -> tuple[Action, Memory]:
+    def _out_of_reach(self, box: Thing, *, ready: bool) -> bool:
+        """The box is beside or under the paddles: turning, or lowering them, would push it away or press on it."""
+        away = box.position.distance
+        beside = abs(box.bearing) > math.radians(20) and away < 0.65
+        return beside or away < _BEAM - 0.05 or (not ready and away < self.lowering_distance)
+
+    def _approach(self, box: Thing, *, ready: bool) -> Action:
         away, bearing = box.position.distance, box.bearing
-        beside = abs(bearing) > math.radians(20) and away < 0.65
-        if beside or away < _BEAM - 0.05:
-            # Turning here would push it away.
-            return self._withdraw(box, "back", 1)
         drive: Drive | Head
         if away > self.align_distance:
             drive = Head(bearing=bearing, speed=min(self.speed, 0.12 + 0.8 * (away - self.align_distance)))
@@ -109,19 +135,18 @@ class PrimitivePickUp:
         else:
             drive = Drive(linear=0.12, angular=max(-0.4, min(0.4, 1.5 * bearing)))
         near = away < self.prepare_distance
-        action = Action(
+        return Action(
             drive=drive,
             paddles="open" if near else None,
             lift="down" if near else None,
             aim=box.position,
             aim_radius=box.radius,
         )
-        return action, {"phase": "approach"}
 
     @staticmethod
     def _close(blocked: bool, ticks: int) -> tuple[Action, Memory]:
         if not blocked:  # it slipped out
-            return Action(drive=Drive(), paddles="open", lift="down"), {"phase": "back"}
+            return Action(drive=Drive(), paddles="open", lift="down"), {"phase": "back", "ticks": 0}
         lifting = ticks > _SETTLE_TICKS
         action = Action(
             drive=Drive(),
@@ -140,16 +165,25 @@ class PrimitivePickUp:
         action = Action(drive=drive, paddles="open", lift="down")
         return action, {"phase": "release", "ticks": ticks} if ticks < turned else {"phase": "approach"}
 
-    def _withdraw(self, box: Thing, phase: str, ticks: int) -> tuple[Action, Memory]:
-        drive: Drive | Head = Drive(linear=-0.15)
-        if phase == "leave":
+    def _withdraw(self, percepts: Percepts, box: Thing, memory: Memory, random: Random) -> tuple[Action, Memory]:
+        """Away from a box that cannot be taken from here: backwards, else forwards, else anywhere."""
+        phase, ticks = memory["phase"], memory["ticks"]
+        heading, away = percepts.odometry.pose.heading, box.position.distance
+        drive: Drive | Head
+        if phase == "back" and (ticks > self.back_ticks or abs(box.bearing) > math.radians(60)):
+            phase, ticks = "leave", 1
+        if phase == "leave" and ticks > self.leave_ticks:
+            memory = {"toward": wrap_angle(heading + random.uniform(-2.5, 2.5))}
+            phase, ticks = "stray", 1
+        if phase == "back":
+            drive = Drive(linear=-0.15)
+        elif phase == "leave":
             drive = Head(bearing=wrap_angle(box.bearing + math.pi), speed=0.3)
-        far_enough = box.position.distance > self.align_distance
-        if phase == "back" and ticks >= self.back_ticks:
-            phase, ticks = ("approach" if box.position.distance > 0.65 else "leave"), 0
-        elif phase == "leave" and (far_enough or ticks >= self.leave_ticks):
-            phase, ticks = "approach", 0
-        return Action(drive=drive, paddles="open", lift="down"), {"phase": phase, "ticks": ticks}
+        else:
+            drive = Head(bearing=wrap_angle(memory["toward"] - heading), speed=0.3)
+        if away > self.withdraw_distance or (phase == "stray" and ticks > self.stray_ticks):
+            return Action(drive=drive), {"phase": "approach"}
+        return Action(drive=drive), {**memory, "phase": phase, "ticks": ticks}
 
 
 PICK_UP = Skill(AbstractPickUp(), PrimitivePickUp())

@@ -19,7 +19,7 @@ _ROOM = 0.52
 _TIGHT = 0.34
 """With less room than this it cannot even drive through."""
 
-_AVERSION = 0.6
+_AVERSION = 1.2
 """Metres: how much better another stand must be before the robot changes its mind."""
 
 

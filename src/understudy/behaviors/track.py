@@ -6,6 +6,7 @@ from random import Random
 
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
 from understudy.behaviors.stand import Stand, choose_direction, stand_at
+from understudy.behaviors.surroundings import surroundings
 from understudy.geometry import angle_to_bearing, wrap_angle
 from understudy.perception import Percepts, Thing
 from understudy.robot import TEACHER_COLOR, Color
@@ -122,7 +123,7 @@ class PrimitiveTrack:
             wanted,
             goal_bearing,
             percepts.odometry.pose.heading,
-            obstacles=percepts.obstacles,
+            obstacles=surroundings(percepts, None),
             previous=previous,
             avoided=memory["avoided"],
         )

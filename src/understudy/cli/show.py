@@ -2,16 +2,29 @@
 
 import json
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from understudy.cli.options import Json
 
+if TYPE_CHECKING:
+    from understudy.network import Network
+    from understudy.recording import Outcome, Recording
+
 __all__ = ["command"]
 
+_WRITTEN = (".png", ".svg")
+_NOT_WRITTEN = (".bmp", ".eps", ".gif", ".jpeg", ".jpg", ".pdf", ".ps", ".tif", ".tiff", ".webp")
+
 _Picture = Annotated[
-    Path | None, typer.Option("--picture", "-p", help="Write PICTURE.png and PICTURE.svg; nothing is overwritten.")
+    Path | None,
+    typer.Option(
+        "--picture",
+        "-p",
+        help="Of a task, write PICTURE.png and PICTURE.svg; of a recording, PICTURE-room and PICTURE-progress, each as"
+        " .png and .svg. Nothing is overwritten.",
+    ),
 ]
 
 
@@ -22,10 +35,27 @@ def command(
     as_json: Json = False,
 ) -> None:
     """A task in plain words, as a picture or as DOT; or what a recording holds, and its pictures."""
-    if source.suffix.lower() == ".mcap":
-        _recording(source, picture, as_json)
+    recorded = source.suffix.lower() == ".mcap"
+    if dot and as_json:
+        raise typer.BadParameter("--dot and --json both say what is printed; give one of them")
+    if dot and recorded:
+        raise typer.BadParameter("--dot prints the network of a task, and this is a recording; name a task document")
+    stem = None if picture is None else _stem(picture)
+    if recorded:
+        _recording(source, stem, as_json)
     else:
-        _task(source, picture, dot, as_json)
+        _task(source, stem, dot, as_json)
+
+
+def _stem(picture: Path) -> Path:
+    """What people write for a picture, without the suffix that both of its files get."""
+    suffix = picture.suffix.lower()
+    if suffix in _NOT_WRITTEN:
+        raise typer.BadParameter(
+            f"{picture}: pictures are written as PNG and SVG, not as {suffix[1:].upper()}; name it {picture.stem}",
+            param_hint="'--picture'",
+        )
+    return picture.with_suffix("") if suffix in _WRITTEN else picture
 
 
 def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
@@ -48,10 +78,18 @@ def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
 
 
 def _recording(source: Path, picture: Path | None, as_json: bool) -> None:
-    from understudy.recording import read_recording  # noqa: PLC0415
+    from understudy.errors import NetworkError, WorldError  # noqa: PLC0415
+    from understudy.network import parse_task  # noqa: PLC0415
+    from understudy.recording import outcome_of, read_recording  # noqa: PLC0415
 
     recording = read_recording(source)
     info = recording.info
+    network = outcome = None
+    if "task.yaml" in info.attachments:
+        data = _attached(recording, "task.yaml", NetworkError)
+        _, network = parse_task(data, source=f"{source}: task.yaml")
+    if info.kind == "run":
+        outcome = outcome_of(recording)
     cues = [(time_s, cue.value) for time_s, cue in recording.cues()]
     if as_json:
         record = {
@@ -63,26 +101,64 @@ def _recording(source: Path, picture: Path | None, as_json: bool) -> None:
             "topics": sorted(info.topics),
             "cues": cues,
         }
+        if outcome is not None:
+            record |= {
+                "done": outcome.done,
+                "reason": outcome.reason or None,
+                "achieved": [{"component": id_, "time_s": time_s} for id_, time_s in outcome.achieved],
+                "missing": None if network is None else _missing(outcome, network),
+            }
         typer.echo(json.dumps(record))
     else:
         whole = "" if info.complete else "; it breaks off, and was read as far as it goes"
         typer.echo(f"{info.name}: a {info.kind} of {info.duration_s:.1f} s{whole}")
+        if outcome is not None:
+            _say_outcome(outcome, network)
         typer.echo("  topics: " + ", ".join(sorted(info.topics)))
         for time_s, word in cues:
             typer.echo(f"  {time_s:6.1f} s  {word}")
     if picture is not None:
-        import yaml  # noqa: PLC0415
-
-        from understudy.network import parse_task  # noqa: PLC0415
         from understudy.sessions.pictures import picture_recording  # noqa: PLC0415
         from understudy.sim import World  # noqa: PLC0415
 
-        world = network = None
+        world = None
         if "world.yaml" in info.attachments:
-            world = World.from_data(yaml.safe_load(recording.attachment("world.yaml")), source=f"{source}: world.yaml")
-        if "task.yaml" in info.attachments:
-            _, network = parse_task(yaml.safe_load(recording.attachment("task.yaml")), source=f"{source}: task.yaml")
+            data = _attached(recording, "world.yaml", WorldError)
+            world = World.from_data(data, source=f"{source}: world.yaml")
+        if world is None and network is None:
+            typer.echo("No picture: neither a world nor a task is attached to the recording", err=True)
         _say_written(picture_recording(recording, world, network, picture), quiet=as_json)
+
+
+def _attached(recording: "Recording", name: str, kind: Any) -> Any:
+    """The plain data of an attached document.
+
+    Raises:
+        DocumentError: of this kind, if it is none.
+    """
+    from understudy.documents import parse_text  # noqa: PLC0415
+
+    source = f"{recording.info.path}: {name}"
+    try:
+        text = recording.attachment(name).decode()
+    except UnicodeDecodeError:
+        raise kind("the attachment is no text in UTF-8, so it is no document", source=source) from None
+    return parse_text(text, source=source, kind=kind)
+
+
+def _missing(outcome: "Outcome", network: "Network") -> list[str]:
+    """The steps that were never achieved, in the task's order."""
+    reached = {id_ for id_, _ in outcome.achieved}
+    return [id_ for id_ in network.topological_order if id_ not in reached]
+
+
+def _say_outcome(outcome: "Outcome", network: "Network | None") -> None:
+    words = str(outcome)
+    typer.echo(f"  {words[0].upper()}{words[1:]}")
+    for id_, time_s in outcome.achieved:
+        typer.echo(f"  {time_s:6.1f} s  {id_}")
+    if network is not None and (missing := _missing(outcome, network)):
+        typer.echo(f"  not achieved: {', '.join(missing)}")
 
 
 def _say_written(files: list[Path], *, quiet: bool) -> None:

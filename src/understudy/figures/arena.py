@@ -57,6 +57,7 @@ def draw_arena(
     *,
     title: str | None = None,
     subtitle: str = "",
+    box_note: str = "",
 ) -> Figure:
     """Draw a room with trajectories and marks.
 
@@ -66,16 +67,24 @@ def draw_arena(
         marks: numbered in the order of time.
         title: the world's name if left out.
         subtitle: a line or two below it.
+        box_note: after the names of the boxes, ``at the start`` where nobody knows what became of them.
     """
-    return _Picture(world, trajectories, marks, world.name if title is None else title, subtitle).draw()
+    return _Picture(world, trajectories, marks, world.name if title is None else title, subtitle, box_note).draw()
 
 
 class _Picture:
     """One room on one sheet."""
 
     def __init__(
-        self, world: "World", trajectories: Sequence[Trajectory], marks: Sequence[Mark], title: str, subtitle: str
+        self,
+        world: "World",
+        trajectories: Sequence[Trajectory],
+        marks: Sequence[Mark],
+        title: str,
+        subtitle: str,
+        box_note: str,
     ) -> None:
+        self.box_note = f", {clean(box_note)}" if box_note else ""
         self.world, self.trajectories = world, [line for line in trajectories if len(line.points)]
         self.marks = sorted(marks, key=lambda mark: mark.time_s) if self.trajectories else []
         length, depth = world.arena.size
@@ -271,7 +280,7 @@ class _Picture:
 
     def _names(self) -> None:
         named = [(*target.at, target.radius, target.color.value) for target in self.world.targets]
-        named += [(*box.at, 0.7 * box.size, f"{box.color.value} box") for box in self.world.boxes]
+        named += [(*box.at, 0.7 * box.size, f"{box.color.value} box{self.box_note}") for box in self.world.boxes]
         for x_m, y_m, radius, text in named:
             x, y = self.xy(x_m, y_m)
             rect = self.placer.place(x, y, radius * self.scale + 2, (text_width(text, SMALL) + 2, 9.0))

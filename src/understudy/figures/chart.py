@@ -103,6 +103,7 @@ class Chart:
         axis: beside the labels of the rows.
         rows: from the top to the bottom.
         title: above.
+        subtitle: a line or two below it.
         above: points between title and rows.
         right: points to the right of the rows.
         key: samples below, with their meaning.
@@ -118,6 +119,7 @@ class Chart:
         rows: Sequence[Row],
         *,
         title: str = "",
+        subtitle: str = "",
         above: float = 0.0,
         right: float = 14.0,
         key: Sequence[KeyItem] = (),
@@ -125,7 +127,8 @@ class Chart:
         self.axis = axis
         width = axis.right + right + _MARGIN
         headline = wrap(clean(title), width - 2 * _MARGIN, TITLE, "bold", lines=2)
-        self.top = _MARGIN + 18.0 * len(headline) + (6.0 if headline else 0.0) + above
+        below = wrap(clean(subtitle), width - 2 * _MARGIN, BODY, lines=2)
+        self.top = _MARGIN + 18.0 * len(headline) + 14.0 * len(below) + (6.0 if headline or below else 0.0) + above
         heights = [max(25.0, BAR + 9.0 + row.below, _text_height(row.label) + 10.0) for row in rows]
         self.bottom = self.top + sum(heights)
         places = _flow([_sample_width(text) for _, text in key], width - 2 * _MARGIN)
@@ -133,6 +136,8 @@ class Chart:
         self.sheet = Sheet(width, self.bottom + 20.0 + (12.0 + 17.0 * lines_of_key if key else 0.0) + _MARGIN - 8.0)
         for index, line in enumerate(headline):
             self.sheet.text(_MARGIN, _MARGIN + 4 + 18 * index, line, size=TITLE, weight="bold")
+        for index, line in enumerate(below):
+            self.sheet.text(_MARGIN, _MARGIN + 4 + 18 * len(headline) + 14 * index, line, color=MUTED)
         self.middles: list[float] = []
         y = self.top
         self._rule(y)

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from understudy.learning.construction import DECIMALS
 from understudy.network import Component, ParameterValue
 from understudy.robot import Color
 
@@ -47,7 +48,11 @@ def label(behavior: str, parameters: Mapping[str, ParameterValue]) -> Label:
 
 
 def number(name: str, value: float) -> str:
-    """A number with the unit that its name ends in; without one, with its name: ``count 3``."""
+    """A number with the unit that its name ends in; without one, with its name: ``count 3``.
+
+    It is rounded as in a component first: what was observed and what was learned from it then read the same.
+    """
+    value = round(value, DECIMALS)
     for ending, (unit, digits) in _UNITS.items():
         if name.endswith(ending):
             return f"{value:.{digits}f}{unit}"

@@ -20,7 +20,13 @@ _GOAL = 8.0
 
 
 def draw_progress(
-    network: Network, events: Iterable[Event], duration: float, *, begin: float = 0.0, title: str = "progress"
+    network: Network,
+    events: Iterable[Event],
+    duration: float,
+    *,
+    begin: float = 0.0,
+    title: str = "progress",
+    subtitle: str = "",
 ) -> Figure:
     """Draw a run: for every step when its goal held, when it was being done, and when it was achieved.
 
@@ -30,13 +36,14 @@ def draw_progress(
         duration: of the run, seconds.
         begin: the first moment on the trace's clock.
         title: above.
+        subtitle: below it, for example why the task was not done.
     """
     order = network.topological_order
     events = sorted(events, key=lambda event: event.time_s)
     labels = [label_of(network.by_id[id_]) for id_ in order]
     axis = TimeAxis.beside(labels, 0.0, duration, numbered=True)
     rows = [Row(label=label, number=str(step)) for step, label in enumerate(labels, start=1)]
-    chart = Chart(axis, rows, title=title, above=10.0, right=58.0, key=_KEY)
+    chart = Chart(axis, rows, title=title, subtitle=subtitle, above=10.0, right=58.0, key=_KEY)
     sheet = chart.sheet
     for id_, label, middle in zip(order, labels, chart.middles, strict=True):
         mine = [event for event in events if event.component == id_]

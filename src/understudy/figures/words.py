@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from understudy.behaviors import Skill
 from understudy.errors import SkillError
 from understudy.figures.labels import clean, label_of
+from understudy.learning.construction import DECIMALS
 from understudy.learning.learner import Lesson
 from understudy.learning.observations import Observed
 from understudy.network import Component, LinkType, Network, ParameterValue
@@ -147,7 +148,9 @@ def _goal(component: Component, skills: Mapping[str, Skill]) -> str:
 
 
 def _goal_of(observed: Observed, skills: Mapping[str, Skill]) -> str:
-    parameters: dict[str, ParameterValue] = {**dict(observed.instance.parameters), **observed.values}
+    # As the component has them, or the same goal would read otherwise in the task.
+    values = {name: round(value, DECIMALS) for name, value in observed.values.items()}
+    parameters: dict[str, ParameterValue] = {**dict(observed.instance.parameters), **values}
     return _goal(Component(id="seen", behavior=observed.instance.behavior, parameters=parameters), skills)
 
 

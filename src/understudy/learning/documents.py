@@ -20,7 +20,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field, ValidationError
 
-from understudy.documents import Part, TextOrNumber, first_fault, read_data
+from understudy.documents import Name, Part, TextOrNumber, first_fault, read_data
 from understudy.errors import DocumentError, LearningError
 from understudy.learning.instants import LATEST_S
 from understudy.learning.observations import Demonstration, Instance, Observed
@@ -40,7 +40,7 @@ class Entry(Part):
 class IntervalEntry(Entry):
     """One step: ``label`` was going on from ``start`` to ``end``, in seconds."""
 
-    label: Text
+    label: Name
     start: Moment
     end: Moment
     parameters: dict[Text, TextOrNumber] = {}
@@ -57,7 +57,7 @@ class IntervalsDocument(Entry):
     """A demonstration as a list of steps with their times."""
 
     understudy: Literal["intervals/1"]
-    name: Text
+    name: Name
     intervals: list[IntervalEntry]
     cues: list[CueEntry] = []
 

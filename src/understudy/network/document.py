@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 import yaml
 from pydantic import Field, ValidationError
 
-from understudy.documents import Part, TextOrNumber, first_fault, read_data
+from understudy.documents import Name, Part, TextOrNumber, first_fault, read_data
 from understudy.errors import NetworkError
 from understudy.network.definition import Component, Link, LinkType, Network
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
@@ -77,7 +77,7 @@ class Task(Part):
     """
 
     understudy: Literal["task/1"] = "task/1"
-    name: Text
+    name: Name
     note: str = ""
     components: Annotated[tuple[ComponentPart, ...], Field(min_length=1)]
     links: tuple[LinkPart, ...] = ()

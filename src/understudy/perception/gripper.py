@@ -18,6 +18,11 @@ _RAISED_ABOVE = 0.8
 _REACH = 0.35
 """A remembered box at most this far from the beam, in metres, is the one that broke it."""
 
+_PUSHED = 0.80
+"""So far, in metres, it may have been pushed since it was seen, where there is no nearer one."""
+
+_LATELY_S = 5.0
+
 
 class GripperSense:
     """Debounces the gripper's sensors and remembers the color of what it took.
@@ -32,6 +37,7 @@ class GripperSense:
         self.holding = False
         self._differs = 0
         self._begun = False
+        self._last: tuple[Color, float, Point] | None = None
 
     def update(self, time_s: float, pose: Pose, reading: GripperReading | None, boxes: Memory) -> GripperState | None:
         """The gripper's state now; the box that it takes hold of leaves the memory of things on the floor."""
@@ -42,13 +48,9 @@ class GripperSense:
             # The first reading is taken as it is: the robot may begin with something in its gripper.
             self.blocked, self._differs, self._begun = reading.beam_broken, 0, True
         holding = self.blocked and reading.aperture < _CLOSED_BELOW
+        mouth = pose.to_parent(Point(self.spec.gripper.x_beam, 0.0))
         if self.blocked:
-            # What stands between the paddles is not on the floor for the taking.
-            track = boxes.nearest(pose.to_parent(Point(self.spec.gripper.x_beam, 0.0)), _REACH)
-            if track is not None and track.believed:
-                self.color = self.color or track.color
-                if holding:
-                    boxes.forget(track)
+            self._recognise(time_s, mouth, boxes, holding=holding)
         else:
             self.color = None
         self.holding = holding
@@ -60,3 +62,29 @@ class GripperSense:
             raised=reading.lift > _RAISED_ABOVE,
             blocked=self.blocked,
         )
+
+    def _recognise(self, time_s: float, mouth: Point, boxes: Memory, *, holding: bool) -> None:
+        """Which box stands between the paddles: what stands there is not on the floor for the taking."""
+        track = boxes.nearest(mouth, _REACH)
+        if track is not None and track.believed and track.seen_s < time_s:
+            self.color = self.color or track.color
+            if holding:
+                boxes.forget(track)
+        elif self.color is None:
+            self.color = self._lost_lately(time_s, mouth) or self._pushed_here(time_s, mouth, boxes)
+        if self.color is not None:
+            self._last = (self.color, time_s, mouth)
+
+    def _lost_lately(self, time_s: float, mouth: Point) -> Color | None:
+        """A box that slipped out of the paddles a moment ago, and is back between them."""
+        if self._last is None:
+            return None
+        color, lost_s, place = self._last
+        return color if time_s - lost_s < _LATELY_S and place.distance_to(mouth) < _REACH else None
+
+    @staticmethod
+    def _pushed_here(time_s: float, mouth: Point, boxes: Memory) -> Color | None:
+        """A box that was last seen not far off, and may have been pushed since."""
+        unseen = [track for track in boxes.tracks if track.believed and track.seen_s < time_s]
+        near = min(unseen, key=lambda track: track.place.distance_to(mouth), default=None)
+        return near.color if near is not None and near.place.distance_to(mouth) < _PUSHED else None

@@ -1,5 +1,6 @@
 """Recordings: every demonstration and every run is one MCAP file with ROS 2 messages (``docs/recording.md``)."""
 
+from understudy.recording.outcome import Outcome, outcome_of
 from understudy.recording.reading import read_recording
 from understudy.recording.recorder import FORMAT_VERSION, Recorder, RecordingKind
 from understudy.recording.recording import Recording, RecordingInfo
@@ -10,11 +11,13 @@ __all__ = [
     "DEFAULT_TOPICS",
     "FORMAT_VERSION",
     "GripperJoints",
+    "Outcome",
     "Recorder",
     "Recording",
     "RecordingInfo",
     "RecordingKind",
     "Topic",
     "TopicMap",
+    "outcome_of",
     "read_recording",
 ]

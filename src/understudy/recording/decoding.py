@@ -46,9 +46,16 @@ def stamp_ns(header: ros.std_msgs__msg__Header) -> int:
 
 
 def scan_of(message: ros.sensor_msgs__msg__LaserScan) -> Scan:
-    """The scan as the message has it, whatever its geometry. The array is its own, not a view of the file."""
+    """The scan of a driver, whatever its geometry. The array is its own, not a view of the file.
+
+    By REP 117 a reading below ``range_min``, -inf among them, tells that something is too near to be measured, and by
+    older drivers' habit 0.0 tells that there is none. As a distance it would be an obstacle within the robot.
+    """
+    ranges = np.array(message.ranges, np.float32)
+    # Many drivers leave range_min at 0, and nothing is measured at no distance.
+    ranges[(ranges < message.range_min) | (ranges <= 0.0)] = np.nan
     return Scan(
-        ranges=np.array(message.ranges, np.float32),
+        ranges=ranges,
         angle_min=message.angle_min,
         angle_increment=message.angle_increment,
         range_max=message.range_max,

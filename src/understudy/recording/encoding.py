@@ -16,11 +16,12 @@ from understudy.recording.images import PNG_FORMAT, encode_png
 from understudy.recording.topics import COMMAND_TOPIC, DEFAULT_TOPICS, OBSERVATION_TOPIC
 from understudy.robot import Command, GripperGeometry, GripperReading, Observation, RobotSpec
 
-__all__ = ["ObservationEncoder", "TopicMessage", "command_messages", "nanoseconds", "string_message"]
+__all__ = ["CommandEncoder", "ObservationEncoder", "TopicMessage", "nanoseconds", "string_message"]
 
 _LATEST_S: Final = 2**31
 """A ROS 2 stamp counts its seconds in an int32."""
 
+_TF_TYPE: Final = "tf2_msgs/msg/TFMessage"
 _COVARIANCE: Final = np.zeros(36)
 _NO_FLOATS: Final = np.zeros(0)
 _NO_FLOATS32: Final = np.zeros(0, np.float32)
@@ -66,6 +67,7 @@ class ObservationEncoder:
         self._sonar_directions = np.array(
             [(math.cos(p.heading), math.sin(p.heading)) for p in spec.sonar_poses], np.float64
         ).reshape(-1, 2)
+        self._mounts_told = False
 
     def messages(self, obs: Observation) -> Iterator[TopicMessage]:
         """One control step. The exact message comes last: a step without it is not whole.
@@ -78,7 +80,11 @@ class ObservationEncoder:
         stamp = _stamp(obs.time_s)
         yield TopicMessage("/scan", "sensor_msgs/msg/LaserScan", _scan(obs, stamp))
         yield TopicMessage("/sonar", "sensor_msgs/msg/PointCloud2", self._sonar(obs.sonar, stamp))
-        yield TopicMessage("/odom", "nav_msgs/msg/Odometry", _odometry(obs, stamp))
+        odometry = _odometry(obs, stamp)
+        yield TopicMessage("/odom", "nav_msgs/msg/Odometry", odometry)
+        yield TopicMessage("/tf", _TF_TYPE, _tf(_moved(odometry)))
+        if not self._mounts_told:
+            yield TopicMessage("/tf_static", _TF_TYPE, _tf(*_mounts(self._spec, stamp)))
         if obs.image is not None:
             image = ros.sensor_msgs__msg__CompressedImage(
                 header=_header(stamp, "camera"), format=PNG_FORMAT, data=encode_png(obs.image)
@@ -93,6 +99,9 @@ class ObservationEncoder:
         for cue in obs.cues:
             yield string_message("/cues", cue.value)
         yield TopicMessage(OBSERVATION_TOPIC, OBSERVATION_TYPE, ExactObservation.of(obs))
+        self._mounts_told = (
+            True  # not before all messages of the step could be made: it is recorded whole or not at all
+        )
 
     def _sonar(self, ranges: NDArray[np.float32], stamp: ros.builtin_interfaces__msg__Time) -> object:
         """The echoes as points for viewers, and the ranges themselves.
@@ -121,14 +130,23 @@ class ObservationEncoder:
         )
 
 
-def command_messages(time_s: float, command: Command) -> Iterator[TopicMessage]:
-    """One command, as a ROS 2 robot would be told, and exactly."""
-    words = " ".join(word for word in (command.paddles, command.lift) if word)
-    if words:
-        yield string_message("/gripper/command", words)
-    twist = _twist(command.linear, command.angular)
-    yield TopicMessage("/cmd_vel", "geometry_msgs/msg/Twist", twist)
-    yield TopicMessage(COMMAND_TOPIC, COMMAND_TYPE, ExactCommand.of(time_s, command))
+class CommandEncoder:
+    """Makes a robot's commands into messages; remembers what the gripper was told last."""
+
+    def __init__(self) -> None:
+        self._told: tuple[str | None, str | None] = (None, None)
+
+    def messages(self, time_s: float, command: Command) -> Iterator[TopicMessage]:
+        """One command, as a ROS 2 robot would be told, and exactly. The gripper is told only what is new to it."""
+        paddles, lift = self._told
+        told = (command.paddles or paddles, command.lift or lift)
+        if told != self._told:
+            words = " ".join(word for word in (command.paddles, command.lift) if word)
+            yield string_message("/gripper/command", words)
+        twist = _twist(command.linear, command.angular)
+        yield TopicMessage("/cmd_vel", "geometry_msgs/msg/Twist", twist)
+        yield TopicMessage(COMMAND_TOPIC, COMMAND_TYPE, ExactCommand.of(time_s, command))
+        self._told = told  # not before all messages could be made: a command is recorded whole or not at all
 
 
 def string_message(topic: str, text: str) -> TopicMessage:
@@ -179,7 +197,7 @@ def _joints(reading: GripperReading, gripper: GripperGeometry, stamp: ros.builti
     )
 
 
-def _odometry(obs: Observation, stamp: ros.builtin_interfaces__msg__Time) -> object:
+def _odometry(obs: Observation, stamp: ros.builtin_interfaces__msg__Time) -> ros.nav_msgs__msg__Odometry:
     pose = obs.odometry.pose
     # A broken wheel encoder's reading is recorded as it is; sin and cos alone refuse infinity.
     half = pose.heading / 2 if math.isfinite(pose.heading) else math.nan
@@ -197,6 +215,49 @@ def _odometry(obs: Observation, stamp: ros.builtin_interfaces__msg__Time) -> obj
             twist=_twist(obs.odometry.linear, obs.odometry.angular), covariance=_COVARIANCE
         ),
     )
+
+
+def _moved(odometry: ros.nav_msgs__msg__Odometry) -> ros.geometry_msgs__msg__TransformStamped:
+    pose = odometry.pose.pose
+    return ros.geometry_msgs__msg__TransformStamped(
+        header=odometry.header,
+        child_frame_id=odometry.child_frame_id,
+        transform=ros.geometry_msgs__msg__Transform(
+            translation=ros.geometry_msgs__msg__Vector3(x=pose.position.x, y=pose.position.y, z=0.0),
+            rotation=pose.orientation,
+        ),
+    )
+
+
+def _mounts(
+    spec: RobotSpec, stamp: ros.builtin_interfaces__msg__Time
+) -> Iterator[ros.geometry_msgs__msg__TransformStamped]:
+    """Where the laser and the camera sit; the camera as images have it: z into the picture, x right, y down."""
+    # Forward to z, left to -x, up to -y; and about the camera's x-axis by as much as it looks down.
+    down = math.pi / 4 + spec.camera.tilt / 2
+    along, across = math.cos(math.pi / 4), math.sin(math.pi / 4)
+    placed = (
+        ("laser", spec.laser.x, spec.laser.height, (0.0, 0.0, 0.0, 1.0)),
+        (
+            "camera",
+            spec.camera.x,
+            spec.camera.height,
+            (-along * math.sin(down), across * math.sin(down), -across * math.cos(down), along * math.cos(down)),
+        ),
+    )
+    for frame, x, height, (qx, qy, qz, qw) in placed:
+        yield ros.geometry_msgs__msg__TransformStamped(
+            header=_header(stamp, "base_link"),
+            child_frame_id=frame,
+            transform=ros.geometry_msgs__msg__Transform(
+                translation=ros.geometry_msgs__msg__Vector3(x=x, y=0.0, z=height),
+                rotation=ros.geometry_msgs__msg__Quaternion(x=qx, y=qy, z=qz, w=qw),
+            ),
+        )
+
+
+def _tf(*transforms: ros.geometry_msgs__msg__TransformStamped) -> ros.tf2_msgs__msg__TFMessage:
+    return ros.tf2_msgs__msg__TFMessage(transforms=list(transforms))
 
 
 def _twist(linear: float, angular: float) -> ros.geometry_msgs__msg__Twist:

@@ -15,9 +15,9 @@ from mcap.writer import CompressionType, Writer
 from understudy import __version__
 from understudy.errors import RecordingError
 from understudy.recording.encoding import (
+    CommandEncoder,
     ObservationEncoder,
     TopicMessage,
-    command_messages,
     nanoseconds,
     string_message,
 )
@@ -72,6 +72,7 @@ class Recorder:
     ) -> None:
         self.path = Path(path)
         self._encoder = ObservationEncoder(spec)
+        self._commands = CommandEncoder()
         self._channels: dict[tuple[str, str], int] = {}
         self._schemas: dict[str, int] = {}
         self._flushed_ns: int | None = None
@@ -98,7 +99,7 @@ class Recorder:
                 self._writer.add_attachment(0, 0, file_name, media_type, data)
             self._writer.flush()  # type: ignore[no-untyped-call]  # as mcap has it
         except OSError as error:
-            raise self._failed(error) from error
+            raise self._never_begun(error) from error
 
     def observation(self, obs: Observation) -> None:
         """Records what the robot sensed in one control step."""
@@ -106,7 +107,7 @@ class Recorder:
 
     def command(self, time_s: float, command: Command) -> None:
         """Records what the robot was told at this time."""
-        self._write(time_s, command_messages(time_s, command))
+        self._write(time_s, self._commands.messages(time_s, command))
 
     def event(self, event: Mapping[str, object]) -> None:
         """Records an event of the trace: ``time_s``, ``kind``, and whatever else JSON can hold.
@@ -171,6 +172,17 @@ class Recorder:
                 topic, MessageEncoding.CDR, self._schemas[type_], {"offered_qos_profiles": ""}
             )
         return self._channels[topic, type_]
+
+    def _never_begun(self, error: OSError) -> RecordingError:
+        """Takes the file away: without a header it is no recording, and it would block its name."""
+        with suppress(OSError):
+            self._file.close()  # tries the pending bytes once more, and closes in any case
+        with suppress(OSError):
+            self.path.unlink()
+        return RecordingError(
+            f"{self.path} cannot be written: {error.strerror}; there is no such file now."
+            " Make room, or choose another disk, and record again"
+        )
 
     def _failed(self, error: OSError) -> RecordingError:
         """Gives the file up, with what is in it."""

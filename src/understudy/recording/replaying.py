@@ -3,11 +3,12 @@
 from collections.abc import Iterator, Mapping
 from typing import cast
 
+import numpy as np
 from rosbags.typesys.stores import ros2_humble as ros
 
 from understudy.errors import RecordingError
 from understudy.geometry import Pose
-from understudy.recording.decoding import decode, image_of, scan_of, sonar_of
+from understudy.recording.decoding import decode, image_of, sonar_of
 from understudy.recording.exact import ExactCommand, ExactObservation
 from understudy.recording.source import RawMessage, Source
 from understudy.recording.topics import COMMAND_TOPIC, OBSERVATION_TOPIC
@@ -41,11 +42,11 @@ def exact_observations(source: Source, roles: Mapping[str, str], *, images: bool
                 f"{source.path}: the step at {exact.time_s} s lacks its {' and its '.join(sorted(missing))} message;"
                 " read the recording as it was, before messages were taken out"
             )
-        scan = scan_of(cast(ros.sensor_msgs__msg__LaserScan, decode(source.path, step["scan"])))
+        scan = cast(ros.sensor_msgs__msg__LaserScan, decode(source.path, step["scan"]))
         yield Observation(
             time_s=exact.time_s,
             scan=Scan(
-                ranges=scan.ranges,
+                ranges=np.array(scan.ranges, np.float32),  # as they were, and not a view of the file
                 angle_min=exact.scan_angle_min,
                 angle_increment=exact.scan_angle_increment,
                 range_max=exact.scan_range_max,

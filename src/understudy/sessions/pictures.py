@@ -21,9 +21,10 @@ from understudy.figures import (
 from understudy.geometry import Pose
 from understudy.learning import Lesson
 from understudy.network import Network
-from understudy.recording import Recording
+from understudy.recording import Recording, outcome_of
 from understudy.robot import TEACHER_COLOR
 from understudy.sessions.running import Performed
+from understudy.sessions.stage import Stage
 from understudy.sessions.teaching import Taught
 from understudy.sim import World
 
@@ -39,12 +40,14 @@ def picture_demonstration(taught: Taught, lesson: Lesson, stem: Path) -> list[Pa
     paths = [Trajectory(name="robot", points=stage.robot_path)]
     if teacher is not None:
         paths.append(Trajectory(name="teacher", points=teacher, color=str(TEACHER_COLOR), dashed=True, body="person"))
+    paths += _box_paths(stage)
+    numbers = " Numbers: where the robot was when the teacher spoke." if taught.demonstration.cues else ""
     arena = draw_arena(
         stage.world,
         paths,
         marks_of_cues(taught.demonstration.cues),
         title=f"{taught.demonstration.name}: the demonstration",
-        subtitle="The robot follows its teacher. Numbers: where the robot was when the teacher spoke.",
+        subtitle=f"The robot follows its teacher.{numbers}",
     )
     return [
         *save(arena, stem.with_name(f"{stem.name}-room")),
@@ -65,10 +68,7 @@ def picture_task(name: str, network: Network, skills: Mapping[str, Skill], stem:
 def picture_run(performed: Performed, network: Network, stem: Path) -> list[Path]:
     """The room with the robot's path, and its progress (Figures 4.12 and 4.14)."""
     stage, report = performed.stage, performed.report
-    paths = [Trajectory(name="robot", points=stage.robot_path)]
-    for box, points in zip(stage.world.boxes, stage.box_paths, strict=True):
-        if np.ptp(points[:, 1:], axis=0).max() > _MOVED_M:
-            paths.append(Trajectory(name=f"{box.color} box", points=points, color=str(box.color), body="box"))
+    paths = [Trajectory(name="robot", points=stage.robot_path), *_box_paths(stage)]
     outcome = "Done" if report.done else "Not done"
     arena = draw_arena(
         stage.world,
@@ -105,6 +105,7 @@ def picture_recording(recording: Recording, world: World | None, network: Networ
         way.append((time_s, place.x, place.y, start.heading + pose.heading - origin.heading))
     written: list[Path] = []
     events = [_event(record) for record in recording.events()]
+    ending = _ending(recording)
     if world is not None:
         marks = marks_of_run(events, network) if network else marks_of_cues(recording.cues())
         arena = draw_arena(
@@ -112,13 +113,42 @@ def picture_recording(recording: Recording, world: World | None, network: Networ
             [Trajectory(name="robot", points=np.array(way))],
             marks,
             title=recording.info.name,
-            subtitle="The robot's way as its wheels counted it.",
+            subtitle=f"{ending}The robot's way as its wheels counted it.",
+            box_note="at the start",
         )
         written += save(arena, stem.with_name(f"{stem.name}-room"))
     if network is not None:
-        progress = draw_progress(network, events, way[-1][0] - way[0][0], begin=way[0][0], title=recording.info.name)
+        progress = draw_progress(
+            network,
+            events,
+            way[-1][0] - way[0][0],
+            begin=way[0][0],
+            title=recording.info.name,
+            subtitle=ending.rstrip(),
+        )
         written += save(progress, stem.with_name(f"{stem.name}-progress"))
     return written
+
+
+def _box_paths(stage: Stage) -> list[Trajectory]:
+    """Where the boxes were taken; those that stayed where they stood have no path."""
+    return [
+        Trajectory(name=f"{box.color} box", points=points, color=str(box.color), body="box")
+        for box, points in zip(stage.world.boxes, stage.box_paths, strict=True)
+        if np.ptp(points[:, 1:], axis=0).max() > _MOVED_M
+    ]
+
+
+def _ending(recording: Recording) -> str:
+    """How a run ended, and whether anything else is whole, as a sentence before another one."""
+    info = recording.info
+    if info.kind == "run":
+        words = str(outcome_of(recording))
+    elif not info.complete:
+        words = f"it breaks off at {info.duration_s:.1f} s"
+    else:
+        return ""
+    return f"{words[0].upper()}{words[1:]}. "
 
 
 def _event(record: Mapping[str, object]) -> Event:

@@ -15,6 +15,8 @@ __all__ = ["RobotBody"]
 
 _PADDLE_TRAVEL_S = 0.8
 _LIFT_TRAVEL_S = 0.8
+_CLOSED, _UP = 0.1, 0.9
+"""Paddles this little open, as a share of their opening, count as closed; a gripper this far up counts as lifted."""
 _SHY_M = 0.0008
 """The gripper's servos aim this far short of their stops: a joint that rests on a stop costs the solver time."""
 
@@ -123,7 +125,7 @@ class RobotBody:
         """Whether a box with its centre at this place of the arena is clamped between the closed paddles."""
         gripper = self._gripper
         left, right = self.paddles
-        if self._open or left + right < 0.1 * gripper.opening:
+        if self._open or left + right < _CLOSED * gripper.opening:
             return False
         local = self.pose.to_local(box)
         return gripper.x_back < local.x < gripper.x_front + 0.04 and abs(local.y) < gripper.opening / 2
@@ -131,3 +133,9 @@ class RobotBody:
     def holds(self, box: Point) -> bool:
         """Whether such a box is gripped and lifted."""
         return self.lift > self._gripper.lift_height / 2 and self.grips(box)
+
+    @property
+    def stowed(self) -> bool:
+        """Whether the paddles are closed, on nothing, and lifted: so the gripper is carried, and so Drop ends (A.4)."""
+        gripper = self._gripper
+        return sum(self.paddles) < _CLOSED * gripper.opening and self.lift > _UP * gripper.lift_height

@@ -1,8 +1,8 @@
 """What a scripted teacher does, one item after the other: the ``teacher.script`` of a world document."""
 
-from typing import ClassVar, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import model_validator
+from pydantic import BeforeValidator, model_validator
 from pydantic_core import PydanticCustomError
 
 from understudy.documents import Part
@@ -15,14 +15,29 @@ DEFAULT_TIMEOUT_S = 30.0
 """A teacher's patience: after that it goes on, so that a script always ends."""
 
 Condition = Literal["robot_holds_box", "robot_empty", "robot_near"]
-"""``robot_near``: within 0.9 m of the teacher and facing it."""
+"""``robot_holds_box``: gripped and lifted; ``robot_empty``: nothing in the gripper, which is closed and lifted again;
+``robot_near``: within 0.9 m of the teacher and facing it."""
+
+
+def _in_capitals(given: Any) -> Any:
+    # What is no word stays as it was given, for the message.
+    return given.upper() if isinstance(given, str) and given.upper() in list(Cue) else given
+
+
+Word = Annotated[Cue, BeforeValidator(_in_capitals)]
+"""Spoken words have no capitals: ``take`` is as good as ``TAKE``."""
+
+
+def _at(place: tuple[float, float]) -> str:
+    x, y = place
+    return f"({round(x, 2)}, {round(y, 2)})"
 
 
 class Saying(Part):
     """One spoken cue; without a condition it is said at once.
 
     Attributes:
-        word: the cue.
+        word: the cue; in capitals or not.
         delay: seconds between the condition and the word.
         when_robot_within: metres from ``of``; the word waits until the robot's centre is that near.
         of: the place that ``when_robot_within`` refers to.
@@ -32,7 +47,7 @@ class Saying(Part):
 
     shorthand: ClassVar[str | None] = "word"
 
-    word: Cue
+    word: Word
     delay: Seconds = 0.0
     when_robot_within: Metres | None = None
     of: Place | None = None
@@ -49,6 +64,22 @@ class Saying(Part):
             )
         return self
 
+    @property
+    def unmet(self) -> str:
+        """What never happened, if the word was said because of its timeout."""
+        if self.when_robot_past is not None:
+            return f"the robot never got past {_at(self.when_robot_past)}"
+        if self.of is not None:
+            return f"the robot never came within {self.when_robot_within:g} m of {_at(self.of)}"
+        return "it waited for nothing"
+
+    def __str__(self) -> str:
+        if self.when_robot_past is not None:
+            return f"{self.word} when the robot is past {_at(self.when_robot_past)}"
+        if self.of is not None:
+            return f"{self.word} when the robot is within {self.when_robot_within:g} m of {_at(self.of)}"
+        return str(self.word)
+
 
 class Walk(Part):
     """A straight walk, waiting for the robot when it falls behind.
@@ -62,6 +93,9 @@ class Walk(Part):
 
     to: Place
     say: Saying | None = None
+
+    def __str__(self) -> str:
+        return f"to {_at(self.to)}" + (f", saying {self.say}" if self.say is not None else "")
 
 
 class Waiting(Part):
@@ -105,3 +139,15 @@ class ScriptItem(Part):
                 {"allowed": ", ".join(type(self).model_fields), "given": ", ".join(given) or "none"},
             )
         return self
+
+    def __str__(self) -> str:
+        if self.say is not None:
+            return f"say {self.say}"
+        if self.walk is not None:
+            return f"walk {self.walk}"
+        if self.step_aside is not None:
+            return f"step aside to {_at(self.step_aside)}"
+        if self.wait is not None:
+            return f"wait {self.wait:g} s"
+        assert self.wait_for is not None
+        return f"wait for {self.wait_for.condition}"

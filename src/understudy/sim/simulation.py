@@ -95,6 +95,16 @@ class Simulation:
         """The teacher, to be walked by hand or watched."""
         return self._teacher
 
+    @property
+    def teacher_complaints(self) -> list[tuple[float, str]]:
+        """What the teacher waited for in vain so far, with the time at which it went on; empty without a teacher."""
+        return list(self._teacher.complaints) if self._teacher is not None else []
+
+    @property
+    def teacher_at(self) -> str:
+        """Where in the script the teacher is, ``script[3]: walk to (2.4, 1.4)``; empty when done or without one."""
+        return self._teacher.at if self._teacher is not None else ""
+
     def robot(self, name: str = "learner") -> SimRobot:
         """One of the world's robots.
 

@@ -59,6 +59,8 @@ class ScriptedTeacher:
         self._lost_for = 0.0
         self._returning = False
         self._blocked_for = 0.0
+        self.complaints: list[tuple[float, str]] = []
+        """Each time that the teacher went on without what it had waited for: when, and a sentence."""
 
     @property
     def done(self) -> bool:
@@ -73,6 +75,11 @@ class ScriptedTeacher:
     def item(self) -> int:
         """Index of the script's item that is being played."""
         return self._item
+
+    @property
+    def at(self) -> str:
+        """The script's item that is being played, ``script[3]: walk to (2.4, 1.4)``; empty at the script's end."""
+        return "" if self._at_end else f"script[{self._item}]: {self._script[self._item]}"
 
     def drive(self, velocity: Point | None) -> None:
         """Walks by hand at this velocity (m/s, arena's frame) instead of by the script, or, at None, by the script."""
@@ -113,15 +120,19 @@ class ScriptedTeacher:
         if item.wait is not None:
             return elapsed >= item.wait
         if item.wait_for is not None:
-            return elapsed >= item.wait_for.timeout or self._holds(item.wait_for)
+            return self._wait_for(item.wait_for, elapsed)
         if item.step_aside is not None:
             return self._go(Point(*item.step_aside), haste=1.0, stop_there=True)
         assert item.walk is not None
         return self._lead(item.walk, said)
 
     def _say(self, saying: Saying, said: list[Cue], elapsed: float) -> bool:
-        if self._ripe is None and (self._may_say(saying) or elapsed >= saying.timeout):
-            self._ripe = self._now
+        if self._ripe is None:
+            if self._may_say(saying):
+                self._ripe = self._now
+            elif elapsed >= saying.timeout:
+                self._ripe = self._now
+                self._complain(f"{saying.word} was said after {round(elapsed, 1):g} s in vain: {saying.unmet}")
         if self._ripe is None or self._now - self._ripe < saying.delay - 1e-9:
             return False
         said.append(saying.word)
@@ -136,12 +147,24 @@ class ScriptedTeacher:
             return robot.to_local(Point(*saying.when_robot_past)).x <= 0.0
         return True
 
+    def _wait_for(self, waiting: Waiting, elapsed: float) -> bool:
+        if self._holds(waiting):
+            return True
+        if elapsed < waiting.timeout:
+            return False
+        self._complain(f"waited {round(elapsed, 1):g} s in vain for: {waiting.condition}")
+        return True
+
+    def _complain(self, sentence: str) -> None:
+        self.complaints.append((self._now, sentence))
+
     def _holds(self, waiting: Waiting) -> bool:
         match waiting.condition:
             case "robot_holds_box":
                 return self._truth.held_box(self._led) is not None
             case "robot_empty":
-                return self._truth.gripped_box(self._led) is None
+                # Not as soon as the paddles let go: dropping goes on until the gripper is closed and lifted.
+                return self._truth.gripper_stowed(self._led)
             case "robot_near":
                 me = self._from_robot()
                 return me.distance <= _NEAR_M and abs(me.bearing) <= _FACING
@@ -181,6 +204,9 @@ class ScriptedTeacher:
         self.gait.toward(goal, haste, self._surroundings.near(self.gait.place), stop_there=stop_there)
         blocked = haste > 0.3 and self.gait.standing
         self._blocked_for = self._blocked_for + CONTROL_PERIOD_S if blocked else 0.0
+        if self._blocked_for >= _BLOCKED_AFTER_S:
+            left, x, y = self.gait.place.distance_to(goal), round(goal.x, 2), round(goal.y, 2)
+            self._complain(f"gave up walking {left:.1f} m before ({x}, {y}): something is in the way")
         return False
 
     def _arrived(self, goal: Point, stop_there: bool) -> bool:

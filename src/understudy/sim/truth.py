@@ -54,3 +54,7 @@ class Truth:
         """The box that the robot has lifted."""
         box = self.gripped_box(robot)
         return box if box is not None and self.bodies[robot].holds(self.box_place(box)) else None
+
+    def gripper_stowed(self, robot: int) -> bool:
+        """Whether the robot's gripper is empty, closed and lifted."""
+        return self.bodies[robot].stowed

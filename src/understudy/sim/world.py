@@ -7,12 +7,13 @@ import yaml
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationError
 from pydantic_core import PydanticCustomError
 
+from understudy.documents import Name as AnyName
 from understudy.documents import Part, first_fault, read_data
 from understudy.errors import WorldError
-from understudy.robot import Color
+from understudy.robot import TEACHER_COLOR, Color
 from understudy.sim.layout import check_layout
 from understudy.sim.noise import NoiseLevels
-from understudy.sim.quantities import Degrees, Length, Place, two_numbers
+from understudy.sim.quantities import Degrees, Length, Place, plainly, two_numbers
 from understudy.sim.script import ScriptItem
 
 __all__ = [
@@ -28,7 +29,7 @@ __all__ = [
     "world_path",
 ]
 
-Name = Annotated[str, Field(min_length=1, max_length=80)]
+Name = Annotated[AnyName, plainly("text of 1 to 80 characters that are not all blank")]
 
 _BUNDLED = Path(__file__).parent / "worlds"
 
@@ -54,7 +55,7 @@ class Target(Part):
     """A tall colored cylinder that stays where it is when bumped.
 
     Attributes:
-        color: one of the eight trained colors.
+        color: one of the eight trained colors; in a world with a teacher not blue, by which the robot knows people.
         at: its centre.
         radius: metres.
         height: metres; the laser's plane is 0.30 m up.
@@ -72,7 +73,7 @@ class Box(Part):
     """A small colored box of 0.1 kg and 0.10 m height, light enough to be pushed, carried and taken away.
 
     Attributes:
-        color: one of the eight trained colors.
+        color: as for targets.
         at: its centre.
         heading_deg: which way it is turned.
         size: its width and depth, metres; the gripper opens 0.20 m.
@@ -82,7 +83,7 @@ class Box(Part):
     color: Color
     at: Place
     heading_deg: Degrees = 0.0
-    size: Annotated[float, Field(ge=0.03, le=0.14)] = 0.09
+    size: Annotated[float, Field(ge=0.03, le=0.14), plainly("a number of metres from 0.03 to 0.14")] = 0.09
     group: Name | None = None
 
 
@@ -119,7 +120,7 @@ class Teacher(Part):
 
     at: Place
     heading_deg: Degrees = 0.0
-    speed: Annotated[float, Field(gt=0.0, le=2.0)] = 0.35
+    speed: Annotated[float, Field(gt=0.0, le=2.0), plainly("a number of m/s above 0, at most 2")] = 0.35
     radius: Length = 0.15
     height: Length = 1.7
     leads: Name | None = None
@@ -150,7 +151,7 @@ class World(Part):
 
     understudy: Literal["world/1"]
     name: Name
-    seed: Annotated[int, Field(ge=0)]
+    seed: Annotated[int, Field(ge=0), plainly("a whole number, 0 or more")] = 0
     arena: Arena
     walls: tuple[Wall, ...] = ()
     targets: tuple[Target, ...] = ()
@@ -186,7 +187,24 @@ class World(Part):
         except ValidationError as error:
             raise first_fault(error, source, WorldError) from None
         check_layout(world, source=source)
+        _check_colors(world, source)
         return world
+
+
+def _check_colors(world: World, source: str) -> None:
+    """Refuses things of the teacher's color beside a teacher: the robot would follow them instead."""
+    if world.teacher is None:
+        return
+    colors = [(f"targets[{i}].color", target.color) for i, target in enumerate(world.targets)]
+    colors += [(f"boxes[{i}].color", box.color) for i, box in enumerate(world.boxes)]
+    for path, color in colors:
+        if color is TEACHER_COLOR:
+            others = ", ".join(other for other in Color if other is not TEACHER_COLOR)
+            raise WorldError(
+                f"{color} is the teacher's color, by which the robot knows the teacher; choose another one: {others}",
+                source=source,
+                path=path,
+            )
 
 
 def load_world(path: str | Path) -> World:
