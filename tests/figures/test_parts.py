@@ -81,6 +81,8 @@ def test_labels_tell_words_from_numbers():
     poured = label("pour", {"into": "cup", "count": 3, "color": "mauve"})
     assert (poured.title, poured.color, poured.details) == ("pour cup mauve", "", "count 3")
     assert number("wait_s", 2.04) == "2.0 s"
+    # As in a component, which has 0.545, and not as it was seen.
+    assert number("distance_m", 0.54496) == number("distance_m", 0.545) != "0.54 m"
 
 
 def test_a_trajectory_is_resampled_by_way_and_not_by_time():

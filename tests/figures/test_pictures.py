@@ -68,9 +68,9 @@ def inhibited():
     return draw_network(Network(task.components, task.links, (("yellow", "green"), ("yellow", "orange"))))
 
 
-def progress(task, title):
+def progress(task, title, subtitle=""):
     events, duration = samples.run(task, begin=100.0)
-    return draw_progress(task, events, duration, begin=100.0, title=title)
+    return draw_progress(task, events, duration, begin=100.0, title=title, subtitle=subtitle)
 
 
 def averaged():
@@ -84,6 +84,7 @@ def averaged():
 PICTURES = {
     "arena": arena,
     "arena, wide": lying,
+    "arena, at the start": lambda: draw_arena(samples.room(), box_note="at the start"),
     "arena, empty": lambda: draw_arena(samples.room()),
     "transport": lambda: draw_network(samples.transport(), title="fetch"),
     "defaults": lambda: draw_network(samples.loose(), None, installed_skills()),
@@ -98,6 +99,7 @@ PICTURES = {
     "observations": lambda: draw_observations(samples.demonstration()),
     "lesson": lambda: draw_observations(learn(samples.demonstration()), cues=[(64.0, Cue.DROP), (63.0, Cue.HERE)]),
     "progress": lambda: progress(samples.transport(), "fetch"),
+    "progress, not done": lambda: progress(samples.transport(), "fetch", "Not done: the time limit of 300 s."),
     "progress of labels": lambda: progress(samples.pancakes(), "pancakes"),
     "averaged": averaged,
 }
@@ -138,6 +140,10 @@ def test_an_arena_names_things_and_numbers_marks():
     assert {"green", "yellow", "light orange", "orange", "orange box", "start", "1 m"} <= set(texts)
     assert [texts.count(str(number)) for number in range(1, 8)] == [2] * 7
     assert {"robot", "80 s", "Track light orange", "32.0 s", "already so when its turn came"} <= set(texts)
+
+
+def test_boxes_may_be_said_to_stand_where_they_once_stood():
+    assert "orange box, at the start" in texts_of(draw_arena(samples.room(), box_note="at the start"))
 
 
 def test_an_arena_is_to_scale():

@@ -197,6 +197,21 @@ def test_a_picture_of_another_shape_is_refused() -> None:
         Perception(PIONEER).update(square)
 
 
+def test_a_far_target_does_not_lend_its_color_to_a_near_one() -> None:
+    perception = Perception(PIONEER)
+    near: Pillar = (Color.RED, Point(1.1, 0.0))
+    far: Pillar = (Color.PINK, Point(2.6, 0.32))
+    turn = [Pose(heading=math.radians(degrees)) for degrees in range(-30, 31, 2)]
+    things = watch(perception, [near, far], turn).targets
+    assert [(thing.color, round(thing.position.distance, 1)) for thing in things] == [
+        (Color.RED, 1.1),
+        (Color.PINK, 2.6),
+    ]
+    tracks = {track.color: track.votes for track in perception.targets.tracks}
+    assert set(tracks[Color.RED]) == {Color.RED}
+    assert set(tracks[Color.PINK]) == {Color.PINK}
+
+
 def test_without_pictures_the_laser_still_finds_obstacles() -> None:
     percepts = Perception(PIONEER).update(observed(0.0, [AHEAD], blind=True))
     assert percepts.targets == []

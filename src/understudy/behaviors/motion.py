@@ -34,10 +34,12 @@ class Motion:
         lift = next((action.lift for action in actions if action.lift), None)
         driving = next((action for action in actions if action.drive is not None), None)
         if driving is not None and driving.drive is not None:
-            wanted, obstacles = driving.drive, surroundings(percepts, driving.aim)
+            wanted = driving.drive
             if isinstance(wanted, Head):
-                wanted = self.avoid.steer(wanted, obstacles, driving.aim, driving.aim_radius)
-            drive, overridden = self.avoid.guard(wanted, obstacles, driving.aim, driving.aim_radius)
+                around = surroundings(percepts, driving.aim)
+                wanted = self.avoid.steer(wanted, around, driving.aim, driving.aim_radius)
+            # Small boxes are gone around, but they are light: better to push one a little than to be stuck beside it.
+            drive, overridden = self.avoid.guard(wanted, percepts.obstacles, driving.aim, driving.aim_radius)
         top, spin = self.spec.max_linear, self.spec.max_angular
         command = Command(
             linear=max(-top, min(top, drive.linear)),

@@ -140,7 +140,12 @@ def _goal(component: Component, skills: Mapping[str, Skill]) -> str:
     if component.behavior in skills:
         skill = skills[component.behavior]
         try:
-            return clean(skill.abstract.describe(skill.complete(component.parameters)))
+            # Rounded as what was learned is: what was seen then reads the same, and so does a picture of either.
+            values = {
+                name: value if isinstance(value, str) else round(value, DECIMALS)
+                for name, value in component.parameters.items()
+            }
+            return clean(skill.abstract.describe(skill.complete(values)))
         except SkillError:
             pass  # a network of somebody else's skills: its labels are what is known
     named = label_of(component)
@@ -148,9 +153,7 @@ def _goal(component: Component, skills: Mapping[str, Skill]) -> str:
 
 
 def _goal_of(observed: Observed, skills: Mapping[str, Skill]) -> str:
-    # As the component has them, or the same goal would read otherwise in the task.
-    values = {name: round(value, DECIMALS) for name, value in observed.values.items()}
-    parameters: dict[str, ParameterValue] = {**dict(observed.instance.parameters), **values}
+    parameters: dict[str, ParameterValue] = {**dict(observed.instance.parameters), **observed.values}
     return _goal(Component(id="seen", behavior=observed.instance.behavior, parameters=parameters), skills)
 
 

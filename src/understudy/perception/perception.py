@@ -42,6 +42,10 @@ _TALL_TOP = 0.45
 _BOX_TOP = 0.08
 _BOX_RADIUS = 0.05
 _BEARING_SLACK = math.radians(3.0)
+_CUT = 0.3
+_UNLIKE = math.log(2.2)
+"""A blob may look so many times wider or narrower than its object should: the laser measures far ones coarsely."""
+
 _LASER_HALF_FIELD = math.radians(85)
 _NEAR = 1.0
 _RIM = np.array([(math.cos(a), math.sin(a)) for a in np.radians(np.arange(0, 360, 30))])
@@ -116,36 +120,44 @@ class Perception:
 
     def _look(self, time_s: float, pose: Pose, scan: Scan, cylinders: list[Cylinder], blobs: list[Blob]) -> None:
         """Enters the camera's blobs into memory: tall ones by the laser's distance, small ones by the floor's."""
+        tall = [blob for blob in blobs if blob.top < self.projection.horizon_row - 1]
+        for blob, cylinder in self._matched(tall, cylinders):
+            teacher = blob.color is TEACHER_COLOR
+            limit = self.settings.teacher_range + 0.5 if teacher else self.settings.target_range
+            if cylinder.center.distance - cylinder.radius <= limit:
+                memory = self.people if teacher else self.targets
+                memory.sighted(time_s, pose, cylinder.center, cylinder.radius, blob.color)
         for blob in blobs:
-            if blob.top < self.projection.horizon_row - 1:
-                self._look_at_tall(time_s, pose, cylinders, blob)
-            elif blob.color is not TEACHER_COLOR:
+            if blob.top >= self.projection.horizon_row - 1 and blob.color is not TEACHER_COLOR:
                 self._look_at_small(time_s, pose, scan, blob)
 
-    def _look_at_tall(self, time_s: float, pose: Pose, cylinders: list[Cylinder], blob: Blob) -> None:
-        cylinder = self._behind(blob, cylinders)
-        if cylinder is None:
-            return
-        teacher = blob.color is TEACHER_COLOR
-        limit = self.settings.teacher_range + 0.5 if teacher else self.settings.target_range
-        if cylinder.center.distance - cylinder.radius > limit:
-            return
-        memory = self.people if teacher else self.targets
-        memory.sighted(time_s, pose, cylinder.center, cylinder.radius, blob.color)
+    def _matched(self, blobs: list[Blob], cylinders: list[Cylinder]) -> list[tuple[Blob, Cylinder]]:
+        """Which tall blob is which of the laser's objects: in the same direction, and as wide as it should look.
 
-    def _behind(self, blob: Blob, cylinders: list[Cylinder]) -> Cylinder | None:
-        """The laser's object in the direction of a tall blob: the nearest one, since it hides those behind it."""
-        # Seen from the camera, whose place differs a little from the laser's.
-        camera_x = self.spec.camera.x
-        row = (blob.top + blob.bottom) / 2
-        left = self.projection.bearing(blob.left - 0.5, row) + _BEARING_SLACK
-        right = self.projection.bearing(blob.right + 0.5, row) - _BEARING_SLACK
-        best: Cylinder | None = None
-        for cylinder in cylinders:
-            bearing = math.atan2(cylinder.center.y, cylinder.center.x - camera_x)
-            if right <= bearing <= left and (best is None or cylinder.center.distance < best.center.distance):
-                best = cylinder
-        return best
+        Of two targets that stand nearly behind each other, the far one must not lend its color to the near one.
+        """
+        pairs: list[tuple[float, int, int]] = []
+        for i, blob in enumerate(blobs):
+            row = (blob.top + blob.bottom) / 2
+            cut_left, cut_right = blob.left <= 0, blob.right >= self.spec.camera.width - 1
+            left = self.projection.bearing(blob.left - 0.5, row) + (0 if cut_left else _BEARING_SLACK)
+            right = self.projection.bearing(blob.right + 0.5, row) - (0 if cut_right else _BEARING_SLACK)
+            for j, cylinder in enumerate(cylinders):
+                # Seen from the camera, whose place differs a little from the laser's.
+                ahead = cylinder.center.x - self.spec.camera.x
+                if not right <= math.atan2(cylinder.center.y, ahead) <= left:
+                    continue
+                expected = 2 * cylinder.radius * self.spec.camera.focal_px / math.hypot(ahead, cylinder.center.y)
+                unlike = math.log((blob.right - blob.left + 1) / expected)
+                if (cut_left or cut_right) and unlike < 0:
+                    unlike = _CUT  # the border hides the rest of it: possible, but a whole one is likelier
+                if abs(unlike) < _UNLIKE:
+                    pairs.append((abs(unlike), i, j))
+        matched: dict[int, int] = {}
+        for _, i, j in sorted(pairs):
+            if i not in matched and j not in matched.values():
+                matched[i] = j
+        return [(blobs[i], cylinders[j]) for i, j in sorted(matched.items())]
 
     def _look_at_small(self, time_s: float, pose: Pose, scan: Scan, blob: Blob) -> None:
         camera = self.spec.camera
