@@ -42,9 +42,11 @@ _TALL_TOP = 0.45
 _BOX_TOP = 0.08
 _BOX_RADIUS = 0.05
 _BEARING_SLACK = math.radians(3.0)
-_CUT = 0.3
 _UNLIKE = math.log(2.2)
 """A blob may look so many times wider or narrower than its object should: the laser measures far ones coarsely."""
+
+_CUT = 0.3
+"""A blob narrowed by the picture's border fits less well than a whole one of the right width."""
 
 _LASER_HALF_FIELD = math.radians(85)
 _NEAR = 1.0
@@ -136,28 +138,35 @@ class Perception:
 
         Of two targets that stand nearly behind each other, the far one must not lend its color to the near one.
         """
-        pairs: list[tuple[float, int, int]] = []
-        for i, blob in enumerate(blobs):
-            row = (blob.top + blob.bottom) / 2
-            cut_left, cut_right = blob.left <= 0, blob.right >= self.spec.camera.width - 1
-            left = self.projection.bearing(blob.left - 0.5, row) + (0 if cut_left else _BEARING_SLACK)
-            right = self.projection.bearing(blob.right + 0.5, row) - (0 if cut_right else _BEARING_SLACK)
-            for j, cylinder in enumerate(cylinders):
-                # Seen from the camera, whose place differs a little from the laser's.
-                ahead = cylinder.center.x - self.spec.camera.x
-                if not right <= math.atan2(cylinder.center.y, ahead) <= left:
-                    continue
-                expected = 2 * cylinder.radius * self.spec.camera.focal_px / math.hypot(ahead, cylinder.center.y)
-                unlike = math.log((blob.right - blob.left + 1) / expected)
-                if (cut_left or cut_right) and unlike < 0:
-                    unlike = _CUT  # the border hides the rest of it: possible, but a whole one is likelier
-                if abs(unlike) < _UNLIKE:
-                    pairs.append((abs(unlike), i, j))
+        pairs = [
+            (unlike, i, j)
+            for i, blob in enumerate(blobs)
+            for j, cylinder in enumerate(cylinders)
+            if (unlike := self._unlikeness(blob, cylinder)) is not None
+        ]
         matched: dict[int, int] = {}
         for _, i, j in sorted(pairs):
             if i not in matched and j not in matched.values():
                 matched[i] = j
         return [(blobs[i], cylinders[j]) for i, j in sorted(matched.items())]
+
+    def _unlikeness(self, blob: Blob, cylinder: Cylinder) -> float | None:
+        """How little a blob looks like an object that the laser met; None if it cannot be that one."""
+        camera = self.spec.camera
+        row = (blob.top + blob.bottom) / 2
+        left, right = self.projection.bearing(blob.left - 0.5, row), self.projection.bearing(blob.right + 0.5, row)
+        # Seen from the camera, whose place differs a little from the laser's.
+        ahead, beside = cylinder.center.x - camera.x, cylinder.center.y
+        bearing, away = math.atan2(beside, ahead), math.hypot(ahead, beside)
+        half = math.asin(min(1.0, cylinder.radius / away))
+        cut_left, cut_right = blob.left <= 0, blob.right >= camera.width - 1
+        # Where the picture ends, the middle of the object may lie beyond its border.
+        outside = max(0.0, bearing - left - half * cut_left, right - half * cut_right - bearing)
+        ratio = math.log((blob.right - blob.left + 1) / (2 * cylinder.radius * camera.focal_px / away))
+        unlike = _CUT if (cut_left or cut_right) and ratio < 0 else abs(ratio)
+        if outside > _BEARING_SLACK or unlike > _UNLIKE:
+            return None
+        return unlike + 0.5 * outside / _BEARING_SLACK
 
     def _look_at_small(self, time_s: float, pose: Pose, scan: Scan, blob: Blob) -> None:
         camera = self.spec.camera
