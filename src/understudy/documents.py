@@ -7,6 +7,7 @@ the file, the place in it, and what would be valid there.
 import difflib
 import json
 import math
+import os
 from collections.abc import Hashable, Mapping
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
@@ -26,7 +27,17 @@ from pydantic_core import CoreSchema, PydanticCustomError
 
 from understudy.errors import DocumentError
 
-__all__ = ["Name", "Part", "TextOrNumber", "first_fault", "parse_text", "path_text", "read_data"]
+__all__ = [
+    "Name",
+    "Part",
+    "TextOrNumber",
+    "expect_kind",
+    "first_fault",
+    "parse_text",
+    "path_text",
+    "read_data",
+    "write_new",
+]
 
 # libyaml is ten times faster than the reader in Python; it is missing where PyYAML was built without it.
 _SafeLoader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -159,6 +170,60 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
             raise ValueError(f"the key {key!r} is given twice")
         found[key] = value
     return found
+
+
+_USES = {
+    "world": "use it with `understudy teach` or `understudy run --world`",
+    "task": "use it with `understudy run` or `understudy show`",
+    "intervals": "use it with `understudy learn`",
+}
+
+
+def expect_kind(data: Any, wanted: str, *, source: str, kind: type[DocumentError] = DocumentError) -> None:
+    """Refuses a document of another kind by its first line.
+
+    Args:
+        data: the document's plain data.
+        wanted: kind and version, ``task/1``.
+        source: the document's name, for messages.
+        kind: the error to raise.
+
+    Raises:
+        DocumentError: it is no mapping, or a document of another kind or version.
+    """
+    what = wanted.partition("/")[0]
+    if not isinstance(data, Mapping):
+        raise kind(
+            f"a document of this kind is a mapping that begins with 'understudy: {wanted}', given {data!r:.80}",
+            source=source,
+        )
+    given = data.get("understudy")
+    if given == wanted:
+        return
+    other = str(given).partition("/")[0]
+    hint = f"; {_USES[other]}" if other in _USES and other != what else f"; it begins with 'understudy: {wanted}'"
+    raise kind(
+        f"this is no {what} document: expected {wanted!r}, given {given!r}{hint}", source=source, path="understudy"
+    )
+
+
+def write_new(path: Path, text: str, kind: type[DocumentError] = DocumentError) -> None:
+    """Writes a new file, all of it or nothing; an existing one is never touched.
+
+    Raises:
+        DocumentError: the file exists, or cannot be written.
+    """
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with part.open("x", encoding="utf-8") as file:
+            file.write(text)
+        os.link(part, path)  # unlike a rename, it fails where the name is taken
+    except FileExistsError:
+        raise kind("this file exists already, and nothing is overwritten; name another", source=str(path)) from None
+    except OSError as error:
+        raise kind(f"this file cannot be written: {error.strerror}", source=str(path)) from None
+    finally:
+        part.unlink(missing_ok=True)
 
 
 def path_text(location: tuple[int | str, ...]) -> str:

@@ -82,6 +82,7 @@ def test_teach_learn_run(workspace: Path) -> None:
     )
     report = json.loads(done.stdout)
     assert report["done"] is True
+    assert report["rearranged"] is None
     assert report["collisions"] == {}
     assert json.loads((workspace / "runs" / "tiny-run.json").read_text()) == report
     assert read_recording(workspace / "runs" / "tiny-run.mcap").info.kind == "run"
@@ -92,6 +93,33 @@ def test_a_task_that_was_not_done_exits_with_1(workspace: Path) -> None:
         "run", "understudy-out/tiny.yaml", "-w", "tiny.yaml", "-o", "late", "--limit", "0.5", folder=workspace, expect=1
     )
     assert "Not done: time limit of 0.5 s; missing: track-green-1" in done.stdout
+
+
+def test_a_demonstration_without_done_says_where_it_stopped(tmp_path: Path) -> None:
+    script = [{"say": "START"}, {"say": {"word": "HERE", "when_robot_within": 0.1, "of": [2.9, 2.9], "timeout": 3}}]
+    (tmp_path / "stuck.yaml").write_text(world(teacher={"at": [1.3, 0.9], "script": script}), encoding="utf-8")
+    done = understudy("teach", "stuck.yaml", "--json", folder=tmp_path, expect=1)
+    told = json.loads(done.stdout)
+    assert told["finished"] is False
+    assert "HERE was said after 3 s in vain" in told["complaints"][0]
+    assert "DONE was never said" in told["complaints"][-1]
+
+
+def test_the_demo_writes_where_it_is_told_to(tmp_path: Path) -> None:
+    (tmp_path / "tiny.yaml").write_text(yaml.safe_dump(TINY), encoding="utf-8")
+    (tmp_path / "My.Output").mkdir()
+    told = understudy("demo", "tiny.yaml", "-o", "My.Output", folder=tmp_path).stdout
+    assert "In My.Output-2:" in told
+    assert {path.name for path in (tmp_path / "My.Output-2").glob("*.png")} == {
+        "1-demonstration-room.png",
+        "1-demonstration-observations.png",
+        "2-network.png",
+        "3-same-room-room.png",
+        "3-same-room-progress.png",
+        "4-changed-room-room.png",
+        "4-changed-room-progress.png",
+    }
+    assert list((tmp_path / "My.Output").iterdir()) == []
 
 
 def test_nothing_is_overwritten(workspace: Path) -> None:
@@ -228,7 +256,7 @@ def test_a_recording_without_usable_readings(tmp_path: Path) -> None:
     with Recorder(tmp_path / "blind.mcap", kind="demonstration", name="blind", spec=PIONEER) as recorder:
         recorder.observation(blind)
     done = understudy("learn", "blind.mcap", folder=tmp_path, expect=2)
-    assert "the laser gave no usable ray at t=0.0 s" in done.stderr
+    assert "181 of 181 laser rays are unusable (NaN) at t=0.0 s" in done.stderr
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
@@ -237,7 +265,14 @@ def test_ctrl_c_keeps_what_was_recorded(tmp_path: Path) -> None:
     (tmp_path / "long.yaml").write_text(
         world(name="long", teacher={"at": [1.3, 0.9], "script": script}), encoding="utf-8"
     )
-    process = subprocess.Popen([*PROGRAM, "teach", "long.yaml"], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    # The one who runs the tests may have them ignore Ctrl-C, which children inherit.
+    process = subprocess.Popen(
+        [*PROGRAM, "teach", "long.yaml"],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),  # noqa: PLW1509
+    )
     recording = tmp_path / "understudy-out" / "long.mcap"
     for _ in range(600):
         if recording.exists() and recording.stat().st_size > 300_000:

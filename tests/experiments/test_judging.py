@@ -7,7 +7,7 @@ import pytest
 
 from understudy.execution import RunReport
 from understudy.experiments import Trial, problems_of, summarise
-from understudy.network import Component, Network
+from understudy.network import Component, Link, LinkType, Network
 from understudy.sessions import Performed, Stage, Verdict
 from understudy.sim import World
 
@@ -24,19 +24,30 @@ WORLD = World.from_data(
 )
 VISIT = Network(
     (
+        Component(id="fetch", behavior="PickUp", parameters={"color": "orange"}),
         Component(id="visit", behavior="Track", parameters={"color": "green", "distance_m": 0.7}),
         Component(id="drop", behavior="Drop"),
-    )
+    ),
+    (Link(source="visit", target="drop", type=LinkType.ORDERING),),
 )
 
 
 def performed(**changes: object) -> Performed:
     stage = Stage(WORLD)
     report = RunReport(
-        done=True, ending="complete", duration_s=1.0, achieved=(("visit", 0.0), ("drop", 0.0)), events=()
+        done=True,
+        ending="complete",
+        duration_s=1.0,
+        achieved=(("fetch", 0.0), ("visit", 0.0), ("drop", 0.0)),
+        events=(),
     )
     whole = Performed(task="t", report=report, recording=None, stage=stage, verdict=stage.verdict())
     return replace(whole, **changes)  # type: ignore[arg-type]
+
+
+def asking(**parameters: float) -> Network:
+    fetch, visit, drop = VISIT.components
+    return Network((fetch, replace(visit, parameters={"color": "green", **parameters}), drop), VISIT.links)
 
 
 def test_a_true_report_passes() -> None:
@@ -44,22 +55,35 @@ def test_a_true_report_passes() -> None:
 
 
 def test_a_visit_that_was_none_is_found() -> None:
-    far = Network((replace(VISIT.components[0], parameters={"color": "green", "distance_m": 1.6}), VISIT.components[1]))
-    assert problems_of(performed(), far) == ["visit: 0.90 m from where it should have been"]
+    assert problems_of(performed(), asking(distance_m=1.6)) == ["visit: 0.90 m from where it should have been"]
+
+
+def test_a_target_on_the_wrong_side_is_found() -> None:
+    assert problems_of(performed(), asking(distance_m=0.7, angle_deg=180.0)) == ["visit: 90° off"]
+
+
+def test_steps_in_the_wrong_order_are_found() -> None:
+    report = replace(performed().report, achieved=(("fetch", 0.0), ("drop", 0.0), ("visit", 0.1)))
+    assert problems_of(performed(report=report), VISIT)[0] == "drop was achieved before visit"
+
+
+def test_another_box_does_not_do() -> None:
+    other = Network((replace(VISIT.components[0], parameters={"color": "pink"}), *VISIT.components[1:]), VISIT.links)
+    assert problems_of(performed(), other) == ["the pink box lies inf m from where it was to be brought"]
 
 
 def test_a_box_left_elsewhere_is_found() -> None:
     run = performed()
     run.stage.simulation.move_box(0, (3.5, 3.5))
     lost = replace(run, verdict=run.stage.verdict())
-    assert problems_of(lost, VISIT) == ["the box lies 2.92 m from where it was to be brought"]
+    assert problems_of(lost, VISIT) == ["the orange box lies 2.92 m from where it was to be brought"]
 
 
 def test_steps_that_are_missing_and_collisions_are_named() -> None:
     report = RunReport(done=False, ending="time limit", duration_s=300.0, achieved=(("visit", 0.0),), events=())
     verdict = Verdict(collisions={"wall": 2}, grazes={"target": 1}, boxes=())
     assert problems_of(performed(report=report, verdict=verdict), VISIT) == [
-        "time limit; missing drop",
+        "time limit; missing fetch, drop",
         "ran into a wall (2 ×)",
     ]
 

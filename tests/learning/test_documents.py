@@ -104,10 +104,10 @@ step = {"label": "b", "start": 0, "end": 1}
             "'START' is unknown here; choose one of: HERE, TAKE, DROP",
         ),
         (document(cues=[{"time": 1, "word": "HERE"}]), "cues[0].word", "unknown key 'word'; allowed here: time, cue"),
-        (document(understudy="intervals/2"), "understudy", "'intervals/2' is unknown here; choose one of: intervals/1"),
+        (document(understudy="intervals/2"), "understudy", "expected 'intervals/1', given 'intervals/2'"),
         (document(mood="good"), "mood", "unknown key 'mood'; allowed here: understudy, name, intervals, cues"),
         (document(name=""), "name", "at least 1 character"),
-        ([1, 2], "", "expected a mapping (key: value), given [1, 2]"),
+        ([1, 2], "", "a mapping that begins with 'understudy: intervals/1', given [1, 2]"),
         (steps(7), "intervals[1]", "expected a mapping (key: value), given 7"),  # type: ignore[arg-type]
         (None, "", "given None"),
     ],

@@ -71,7 +71,7 @@ def test_a_task_comes_back_with_all_its_evidence(tmp_path: Path, suffix: str) ->
 
 
 @settings(max_examples=50)
-@given(networks(), st.text(min_size=1, max_size=30))
+@given(networks(), st.text(min_size=1, max_size=30).filter(str.strip))
 def test_every_network_comes_back(network: Network, name: str) -> None:
     _, found = parse_task(Task.of(name, network).model_dump(mode="json", by_alias=True))
     assert found == network

@@ -126,7 +126,7 @@ def test_an_achieved_goal_is_undone(demonstrated: Show) -> None:
 
 
 def test_a_robot_that_holds_something_drops_it_first(demonstrated: Show) -> None:
-    """§4.5.4.3: the initial Drop is there "for the case when the robot might start the task holding something"."""
+    """§4.5.4.3: the initial Drop is there for the case that the robot starts while it holds something."""
     shown = demonstrated("transport")
     only_pick_up = Network((Component(id="p", behavior="PickUp", parameters={"color": "orange"}),))
     stages: list[Stage] = []

@@ -3,7 +3,7 @@
 from understudy.behaviors.avoid import Avoid, AvoidSettings
 from understudy.behaviors.follow import FollowTeacher
 from understudy.behaviors.motion import Motion
-from understudy.behaviors.registry import ENTRY_POINT_GROUP, SkillSet, installed_skills
+from understudy.behaviors.registry import ENTRY_POINT_GROUP, SkillSet, installed_skills, unknown_skill
 from understudy.behaviors.skill import (
     AbstractBehavior,
     Action,
@@ -39,4 +39,5 @@ __all__ = [
     "SkillSet",
     "Wander",
     "installed_skills",
+    "unknown_skill",
 ]

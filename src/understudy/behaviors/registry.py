@@ -1,6 +1,6 @@
 """The skills that are installed. Others add theirs through the entry-point group ``understudy.skills``."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from difflib import get_close_matches
 from functools import cache
 from importlib.metadata import entry_points
@@ -8,13 +8,13 @@ from importlib.metadata import entry_points
 from understudy.behaviors.skill import Skill
 from understudy.errors import SkillError
 
-__all__ = ["ENTRY_POINT_GROUP", "SkillSet", "installed_skills"]
+__all__ = ["ENTRY_POINT_GROUP", "SkillSet", "installed_skills", "unknown_skill"]
 
 ENTRY_POINT_GROUP = "understudy.skills"
 
 
 class SkillSet(Mapping[str, Skill]):
-    """Skills by name; an unknown name is answered with those that exist."""
+    """Skills by name; no name twice."""
 
     def __init__(self, *skills: Skill) -> None:
         self._skills: dict[str, Skill] = {}
@@ -24,13 +24,7 @@ class SkillSet(Mapping[str, Skill]):
             self._skills[skill.name] = skill
 
     def __getitem__(self, name: str) -> Skill:
-        try:
-            return self._skills[name]
-        except KeyError:
-            close = get_close_matches(name, self._skills, n=1)
-            hint = f", did you mean {close[0]!r}?" if close else ""
-            known = ", ".join(self._skills) or "none"
-            raise SkillError(f"there is no skill called {name!r}{hint}; installed are: {known}") from None
+        return self._skills[name]
 
     def __contains__(self, name: object) -> bool:
         return name in self._skills
@@ -40,6 +34,14 @@ class SkillSet(Mapping[str, Skill]):
 
     def __len__(self) -> int:
         return len(self._skills)
+
+
+def unknown_skill(name: str, skills: Iterable[str]) -> str:
+    """What to say of a skill that is not there: which there are, and which may be meant."""
+    known = list(skills)
+    close = get_close_matches(name, known, n=1)
+    hint = f", did you mean {close[0]!r}?" if close else ""
+    return f"there is no skill called {name!r}{hint}; installed are: {', '.join(known) or 'none'}"
 
 
 @cache
@@ -53,7 +55,7 @@ def installed_skills() -> SkillSet:
     for point in sorted(entry_points(group=ENTRY_POINT_GROUP), key=lambda point: point.name):
         try:
             skill = point.load()
-        except (ImportError, AttributeError) as error:
+        except Exception as error:  # whatever a foreign package does when it is imported
             raise SkillError(f"the skill {point.name!r} ({point.value}) cannot be loaded: {error}") from error
         if not isinstance(skill, Skill):
             raise SkillError(f"the entry point {point.name!r} ({point.value}) is no understudy Skill")

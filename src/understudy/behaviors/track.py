@@ -52,11 +52,11 @@ class AbstractTrack:
     def describe(self, parameters: Parameters) -> str:
         angle = parameters["angle_deg"]
         if angle >= 135:
-            where = f"to pass it on your left at {parameters['distance_m']:.1f} m"
+            where = f"to pass it on your left at {parameters['distance_m']:.2f} m"
         elif angle <= 45:
-            where = f"to pass it on your right at {parameters['distance_m']:.1f} m"
+            where = f"to pass it on your right at {parameters['distance_m']:.2f} m"
         else:
-            where = f"until it is {parameters['distance_m']:.1f} m ahead"
+            where = f"until it is {parameters['distance_m']:.2f} m ahead"
         return f"go to the {parameters['color']} target, {where}"
 
 

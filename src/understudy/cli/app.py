@@ -62,6 +62,10 @@ def main() -> None:
         code = app(prog_name="understudy", standalone_mode=False)
         if code == _INTERRUPTED:
             _complain("stopped by Ctrl-C; the robot stands still, and what was recorded until then is kept", code)
+    except ImportError as error:
+        if not _interrupted(error):
+            raise
+        code = _complain("stopped by Ctrl-C while starting; nothing was begun", _INTERRUPTED)
     except typer.TyperException as error:  # wrong usage
         context = getattr(error, "ctx", None)
         command = context.command_path if context else "understudy"
@@ -73,11 +77,20 @@ def main() -> None:
         sys.stderr.close()
         code = 0
     except OSError as error:
-        code = _complain(f"{error.filename or 'a file'}: {error.strerror or error}", 2)
+        code = _complain(f"{error.filename or 'the standard output'}: {error.strerror or error}", 2)
     sys.exit(code or 0)
 
 
 _INTERRUPTED = 130
+
+
+def _interrupted(error: BaseException | None) -> bool:
+    """Whether Ctrl-C is behind an error: compiled packages report it as a failed import."""
+    while error is not None:
+        if isinstance(error, KeyboardInterrupt):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
 
 
 def _complain(problem: str, code: int) -> int:

@@ -31,7 +31,10 @@ def command(
     from understudy.sim import rearranged  # noqa: PLC0415
 
     room = find_world(world)
-    folder = Workspace(Workspace(workspace.parent).free(workspace.name, "")).folder
+    number, target = 1, workspace
+    while target.exists():
+        number, target = number + 1, workspace.with_name(f"{workspace.name}-{number + 1}")
+    folder = Workspace(target).folder
     skills = installed_skills()
     written: list[Path] = []
 

@@ -19,7 +19,7 @@ _NEEDED = {
     "mcap": "recordings",
     "rosbags": "ROS 2 messages in recordings",
     "matplotlib": "pictures",
-    "networkx": "exchange of graphs",
+    "scipy": "statistics of trials",
     "typer": "the command line",
     "rich": "progress bars",
     "pyyaml": "documents",

@@ -24,13 +24,17 @@ def command(
     seed: Seed = None,
     rearrange: Annotated[
         int | None,
-        typer.Option(min=0, help="Change the room first: everything gets another place, drawn by this seed."),
+        typer.Option(
+            min=0,
+            help="Change the room first: everything gets another place, drawn by this seed (which is the run's, too).",
+        ),
     ] = None,
     limit: Annotated[float, typer.Option(min=0.1, help="Seconds of simulated time allowed.")] = 300.0,
     as_json: Json = False,
 ) -> None:
     """Executes a task. Exit code 0 if it was done, 1 if not."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.documents import write_new  # noqa: PLC0415
     from understudy.execution import compile_network  # noqa: PLC0415
     from understudy.network import load_task  # noqa: PLC0415
     from understudy.sessions import Workspace, perform  # noqa: PLC0415
@@ -61,19 +65,22 @@ def command(
             recording=stem.with_suffix(".mcap"),
             watch=watch,
         )
-    record = performed.as_record()
+    record = performed.as_record() | {"rearranged": rearrange}
     report = stem.with_suffix(".json")
-    report.write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
+    write_new(report, json.dumps(record, indent=2) + "\n")
     if as_json:
         typer.echo(json.dumps(record))
     else:
         for id_, time_s in performed.report.achieved:
-            typer.echo(f"  {time_s:6.1f} s  {id_}")
+            node = skills[network.by_id[id_].behavior]
+            words = node.abstract.describe(node.complete(network.by_id[id_].parameters))
+            typer.echo(f"  achieved at {time_s:6.1f} s: {words}")
         if performed.report.done:
             typer.echo(f"Done after {performed.report.duration_s:.1f} s.")
         else:
             missing = [c.id for c in network.components if c.id not in reached]
-            typer.echo(f"Not done: {performed.report.ending} of {limit:g} s; missing: {', '.join(missing)}")
+            left = f"missing: {', '.join(missing)}" if missing else "the last step was still being finished"
+            typer.echo(f"Not done: {performed.report.ending} of {limit:g} s; {left}")
         if not performed.verdict.clean:
             hits = ", ".join(f"{count} × {what}" for what, count in performed.verdict.collisions.items())
             typer.echo(f"The robot bumped into things: {hits}")

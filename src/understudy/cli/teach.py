@@ -19,7 +19,7 @@ def command(
     seed: Seed = None,
     as_json: Json = False,
 ) -> None:
-    """The scripted teacher of a world leads its robot through the task."""
+    """The scripted teacher of a world leads its robot through the task. Exit code 1 if DONE was never said."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.sessions import Workspace, teach  # noqa: PLC0415
 
@@ -45,16 +45,18 @@ def command(
             "observations": len(taught.demonstration.observations),
             "collisions": dict(taught.verdict.collisions),
             "finished": taught.finished,
+            "complaints": list(taught.complaints),
         }
         typer.echo(json.dumps(record))
-        return
-    typer.echo(
-        f"A demonstration of {span.duration:.0f} s, in which {len(taught.demonstration.observations)} goals came true."
-    )
-    for note in taught.demonstration.notes:
+        raise typer.Exit(0 if taught.finished else 1)
+    count = len(taught.demonstration.observations)
+    goals = "1 goal" if count == 1 else f"{count} goals"
+    typer.echo(f"A demonstration of {span.duration:.0f} s, in which the robot saw {goals} come true.")
+    for note in (*taught.demonstration.notes, *taught.complaints):
         typer.echo(f"  note: {note}")
     if not taught.verdict.clean:
         hits = ", ".join(f"{count} × {what}" for what, count in taught.verdict.collisions.items())
         typer.echo(f"  The robot bumped into things: {hits}")
     typer.echo(f"Recorded in {path}")
     typer.echo(f"Next: understudy learn {path}")
+    raise typer.Exit(0 if taught.finished else 1)

@@ -41,7 +41,7 @@ class Controller:
         network: the task.
         skills: by name.
         spec: the robot's limits and outline.
-        seed: of ``Wander``, the only one that throws dice.
+        seed: of all chance: ``Wander``'s, and that of primitives which throw dice.
     """
 
     def __init__(self, network: Network, skills: Mapping[str, Skill], spec: RobotSpec, *, seed: int = 0) -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from understudy.behaviors import Actuator, Parameters, Skill
+from understudy.behaviors import Actuator, Parameters, Skill, unknown_skill
 from understudy.errors import NetworkError, SkillError
 from understudy.network import LinkType, Network
 
@@ -72,6 +72,8 @@ def compile_network(network: Network, skills: Mapping[str, Skill], *, source: st
     for row, component in enumerate(network.components):
         path = f"components[{row}] ({component.id})"
         try:
+            if component.behavior not in skills:
+                raise SkillError(unknown_skill(component.behavior, skills))
             skill = skills[component.behavior]
             parameters = skill.complete(component.parameters)
         except SkillError as error:

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from scipy.stats import binomtest
 
 from understudy.behaviors import installed_skills
+from understudy.errors import LearningError
 from understudy.experiments.judging import problems_of
 from understudy.learning import learn
-from understudy.network import Network
+from understudy.network import Component, Network
 from understudy.sessions import perform, teach
 from understudy.sim import World, load_world, rearranged, world_path
 
@@ -26,6 +27,8 @@ __all__ = [
     "taught_network",
     "teaching_trials",
 ]
+
+_RIGHT_DEG = 45.0
 
 EXPERIMENTS = ("visit_targets", "transport")
 """Bundled worlds with a scripted teacher."""
@@ -76,9 +79,17 @@ def taught_network(experiment: str, seed: int | None = None) -> tuple[World, Net
     return world, learn(taught.demonstration).network
 
 
-def structure(network: Network) -> tuple[tuple[str, str, str], ...]:
-    """What two lessons of one task must have in common: the steps, their order, the types of the links."""
-    return tuple((link.source, link.target, link.type.value) for link in network.links)
+def structure(network: Network) -> tuple[tuple[str, ...], ...]:
+    """What two lessons of one task must have in common: the steps, on which side targets are passed, and the links."""
+    steps = tuple((component.id, _side(component)) for component in network.components)
+    return steps + tuple((link.source, link.target, link.type.value) for link in network.links)
+
+
+def _side(component: Component) -> str:
+    angle = component.parameters.get("angle_deg")
+    if not isinstance(angle, float):
+        return ""
+    return "right" if angle < _RIGHT_DEG else "left" if angle > 180 - _RIGHT_DEG else "ahead"
 
 
 def teaching_trials(experiment: str, seeds: Sequence[int]) -> Iterator[Trial]:
@@ -90,8 +101,11 @@ def teaching_trials(experiment: str, seeds: Sequence[int]) -> Iterator[Trial]:
     for seed in seeds:
         taught = teach(world, installed_skills(), seed=seed)
         problems = [f"ran into a {what} ({count} ×)" for what, count in taught.verdict.collisions.items()]
-        if structure(learn(taught.demonstration).network) != structure(reference):
-            problems.append("another task was learned")
+        try:
+            if structure(learn(taught.demonstration).network) != structure(reference):
+                problems.append("another task was learned")
+        except LearningError as error:  # a failed trial, too
+            problems.append(str(error))
         yield Trial(
             experiment=experiment,
             room="taught",

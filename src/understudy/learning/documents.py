@@ -3,12 +3,11 @@
 One looks like this, in YAML or JSON::
 
     understudy: intervals/1
-    name: breakfast
+    name: tea
     intervals:
-      - {label: kettle on, start: 0, end: 95.5}
-      - {label: pour, start: 97, end: 104, parameters: {into: cup}}
-    cues:
-      - {time: 98, cue: HERE}
+      - {label: boil water, start: 0, end: 95.5}
+      - {label: warm the pot, start: 60, end: 80}
+      - {label: pour, start: 95.5, end: 104, parameters: {into: pot}}
 
 Labels are free, and repeated ones are separate steps. Parameters that are words tell kinds of steps apart
 (``pour`` into a cup, ``pour`` into a pot); numbers are taken as the values with which the step was last seen.
@@ -20,7 +19,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field, ValidationError
 
-from understudy.documents import Name, Part, TextOrNumber, first_fault, read_data
+from understudy.documents import Name, Part, TextOrNumber, expect_kind, first_fault, read_data
 from understudy.errors import DocumentError, LearningError
 from understudy.learning.instants import LATEST_S
 from understudy.learning.observations import Demonstration, Instance, Observed
@@ -83,6 +82,7 @@ def parse_intervals(data: object, *, source: str = "intervals") -> Demonstration
         DocumentError: it is malformed; the message names the place, ``intervals[3].end``.
         LearningError: it lists no interval.
     """
+    expect_kind(data, "intervals/1", source=source)
     try:
         document = IntervalsDocument.model_validate(data)
     except ValidationError as error:

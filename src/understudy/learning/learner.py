@@ -1,5 +1,6 @@
 """The one door to learning: a demonstration goes in, a lesson comes out (§4.4)."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from understudy.errors import LearningError
@@ -60,9 +61,25 @@ def learn(demonstration: Demonstration, settings: LearningSettings | None = None
         dropped=selection.dropped,
         notes=(
             *demonstration.notes,
+            *_words_without_effect(demonstration, selection, settings),
             *(f"{cue} at {time:.1f} s fell on nothing that was kept." for time, cue in selection.unused_cues),
         ),
     )
+
+
+def _words_without_effect(
+    demonstration: Demonstration, selection: Selection, settings: LearningSettings
+) -> Iterator[str]:
+    """TAKE and DROP that brought nothing about: the teacher believes that a step was shown, and it was not."""
+    for time_s, cue in demonstration.cues:
+        behaviors = settings.cue_effects.get(cue, frozenset())
+        if behaviors and not any(
+            observed.instance.behavior in behaviors
+            and (time_s, cue) in observed.cues
+            and observed.interval.start >= time_s
+            for observed in selection.kept
+        ):
+            yield f"{cue} was said at {time_s:.1f} s, but no {' or '.join(sorted(behaviors))} came of it."
 
 
 def _nothing_left(demonstration: Demonstration, selection: Selection) -> str:
@@ -71,5 +88,9 @@ def _nothing_left(demonstration: Demonstration, selection: Selection) -> str:
         reasons.append("…")
     return (
         f"{demonstration.name}: every observation was left out, and nothing remains to learn ({'; '.join(reasons)}). "
-        "Stay close to each target for a while, and say HERE while the robot is there"
+        + (
+            "Let the cues fall on the steps that matter, or leave them out"
+            if demonstration.annotated
+            else "Stay close to each target for a while, and say HERE while the robot is there"
+        )
     )

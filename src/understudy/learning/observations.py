@@ -78,6 +78,7 @@ class Demonstration:
         annotated: somebody wrote the intervals down. Then they are no sensor readings, and none of them is taken for a
             false indication because it is short.
         notes: what the teacher should know about how it was recorded.
+        done: it was ended by DONE, and not cut short.
     """
 
     name: str
@@ -86,3 +87,4 @@ class Demonstration:
     cues: tuple[tuple[float, Cue], ...] = ()
     annotated: bool = False
     notes: tuple[str, ...] = ()
+    done: bool = True

@@ -94,6 +94,7 @@ class Observer:
         self._latest: dict[Instance, Track] = {}
         self._cues: list[tuple[float, Cue]] = []
         self._notes: list[str] = []
+        self._done = False
 
     @property
     def watching(self) -> bool:
@@ -162,6 +163,7 @@ class Observer:
             observations=self.observations,
             cues=tuple(self._cues),
             notes=tuple(self._notes),
+            done=self._done,
         )
 
     def _hear(self, time_s: float, cue: Cue) -> None:
@@ -170,6 +172,7 @@ class Observer:
             case c, Phase.WAITING if c == begin:
                 self._phase, self._begun_s = Phase.WATCHING, time_s
             case c, Phase.WATCHING if c == end:
+                self._done = True
                 self._close_all()
             case c, Phase.WATCHING if c in SALIENT:
                 self._cues.append((time_s, c))

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 import yaml
 from pydantic import Field, ValidationError
 
-from understudy.documents import Name, Part, TextOrNumber, first_fault, read_data
+from understudy.documents import Name, Part, TextOrNumber, expect_kind, first_fault, read_data, write_new
 from understudy.errors import NetworkError
 from understudy.network.definition import Component, Link, LinkType, Network
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
@@ -85,7 +85,18 @@ class Task(Part):
 
     @classmethod
     def of(cls, name: str, network: Network, *, note: str = "") -> "Task":
-        """The document of a network."""
+        """The document of a network.
+
+        Raises:
+            NetworkError: the name, or an id, is none that a document can have: empty, or too long.
+        """
+        try:
+            return cls._of(name, network, note)
+        except ValidationError as error:
+            raise first_fault(error, f"the task {name!r:.60}", NetworkError) from None
+
+    @classmethod
+    def _of(cls, name: str, network: Network, note: str) -> "Task":
         return cls(
             name=name,
             note=note,
@@ -182,13 +193,7 @@ def parse_task(data: Any, *, source: str = "") -> tuple[Task, Network]:
     Raises:
         NetworkError: it is no task document; the message names the first problem and its place.
     """
-    if not isinstance(data, dict):
-        raise NetworkError("a task document is a mapping that begins with 'understudy: task/1'", source=source)
-    if data.get("understudy") != "task/1":
-        given = data.get("understudy")
-        raise NetworkError(
-            f"this is no task document: expected 'task/1', given {given!r}", source=source, path="understudy"
-        )
+    expect_kind(data, "task/1", source=source, kind=NetworkError)
     try:
         task = Task.model_validate(data)
     except ValidationError as error:
@@ -222,15 +227,7 @@ def save_task(path: str | Path, task: Task) -> None:
     text = task_text(task)
     if path.suffix.lower() == ".json":
         text = json.dumps(yaml.safe_load(text), indent=2, ensure_ascii=False) + "\n"
-    try:
-        with path.open("x", encoding="utf-8") as file:
-            file.write(text)
-    except FileExistsError:
-        raise NetworkError(
-            "this file exists already, and nothing is overwritten; name another", source=str(path)
-        ) from None
-    except OSError as error:
-        raise NetworkError(f"the task cannot be written: {error.strerror}", source=str(path)) from None
+    write_new(path, text, NetworkError)
 
 
 def task_schema() -> dict[str, Any]:

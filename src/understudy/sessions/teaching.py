@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from understudy.behaviors import Skill
-from understudy.errors import WorldError
+from understudy.errors import RecordingError, WorldError
 from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate, observe
 from understudy.perception import Percepts
 from understudy.recording import Recorder, read_recording
@@ -28,7 +28,8 @@ class Taught:
         recording: the file, if it was recorded.
         stage: the room as it is now, with everybody's paths.
         verdict: the referee's.
-        finished: the teacher came to the end of the script.
+        finished: DONE was said; otherwise the time was over.
+        complaints: what the teacher waited for in vain, and where a demonstration without DONE got stuck.
     """
 
     demonstration: Demonstration
@@ -36,6 +37,7 @@ class Taught:
     stage: Stage
     verdict: Verdict
     finished: bool
+    complaints: tuple[str, ...]
 
 
 def teach(
@@ -86,12 +88,17 @@ def teach(
         demonstration = demonstrate(
             stage.robot, skills, settings, name=name, limit_s=limit_s, journal=journal, watch=look
         )
+    complaints = [f"{sentence} (at {time_s:.0f} s)" for time_s, sentence in stage.simulation.teacher_complaints]
+    if not demonstration.done:
+        where = stage.simulation.teacher_at
+        complaints.append("DONE was never said" + (f"; the teacher got stuck at {where}" if where else ""))
     return Taught(
         demonstration=demonstration,
         recording=recording,
         stage=stage,
         verdict=stage.verdict(),
-        finished=stage.simulation.teacher_done,
+        finished=demonstration.done,
+        complaints=tuple(complaints),
     )
 
 
@@ -117,5 +124,8 @@ def recorded_demonstration(
         RobotError: the recorded readings cannot be used.
     """
     recording = read_recording(path)
-    spec = _ROBOTS.get(recording.info.robot, PIONEER)
+    robot = recording.info.robot or PIONEER.name  # a bag does not say which robot it is of
+    if robot not in _ROBOTS:
+        raise RecordingError(f"{path} is of a robot called {robot!r}; known here are: {', '.join(_ROBOTS)}")
+    spec = _ROBOTS[robot]
     return observe(recording.observations(), spec, skills, settings, name=recording.info.name)

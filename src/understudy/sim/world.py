@@ -8,7 +8,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationError
 from pydantic_core import PydanticCustomError
 
 from understudy.documents import Name as AnyName
-from understudy.documents import Part, first_fault, read_data
+from understudy.documents import Part, expect_kind, first_fault, read_data
 from understudy.errors import WorldError
 from understudy.robot import TEACHER_COLOR, Color
 from understudy.sim.layout import check_layout
@@ -178,10 +178,7 @@ class World(Part):
         Raises:
             WorldError: for the first problem found, with its path.
         """
-        if not isinstance(data, dict):
-            raise WorldError(
-                f"a world document is a mapping that begins with 'understudy: world/1', given {data!r}", source=source
-            )
+        expect_kind(data, "world/1", source=source, kind=WorldError)
         try:
             world = cls.model_validate(data)
         except ValidationError as error:
