@@ -40,10 +40,15 @@ class Scripted:
         return Action(drive=Drive(linear=0.11), keep_on=keep_on), {"steps": memory.get("steps", 0) + 1}
 
 
-def controller(*skills: Scripted, links: Sequence[tuple[str, str, LinkType]] = ()) -> Controller:
+def controller(
+    *skills: Scripted,
+    links: Sequence[tuple[str, str, LinkType]] = (),
+    inhibitions: Sequence[tuple[str, str]] = (),
+) -> Controller:
     network = Network(
         tuple(Component(id=skill.name.lower(), behavior=skill.name) for skill in skills),
         tuple(Link(source=source, target=target, type=type_) for source, target, type_ in links),
+        tuple(inhibitions),
     )
     return Controller(network, SkillSet(*(Skill(skill, skill) for skill in skills)), PIONEER)
 
@@ -142,3 +147,38 @@ def test_the_context_is_all_there_is() -> None:
     second.resume(deepcopy(first.context))
     for one, other in zip(ticks(first, 7, start=5), ticks(second, 7, start=5), strict=True):
         assert (one.command, one.events, one.complete) == (other.command, other.events, other.complete)
+
+
+def test_every_refusal_is_told_not_the_first_only() -> None:
+    links = (("a", "c", LinkType.ORDERING), ("b", "c", LinkType.PERMANENT))
+    running = controller(Scripted("A", [9]), Scripted("B", [2]), Scripted("C", [9]), links=links)
+    decisions = ticks(running, 3)
+    assert told(decisions, "c") == [
+        (
+            0.0,
+            "state",
+            {"state": "waiting", "reason": "ordering", "for": "a", "also": [{"reason": "permanent", "for": "b"}]},
+        ),
+        (0.2, "state", {"state": "waiting", "reason": "ordering", "for": "a"}),
+    ]
+
+
+def test_inhibition_is_told_with_the_rival_of_the_moment() -> None:
+    rivals = (("a", "c"), ("b", "c"))
+    running = controller(
+        Scripted("A", [2]), Scripted("B", [4], seen=[3, 4]), Scripted("C", [9], seen=[]), inhibitions=rivals
+    )
+    states = [(time_s, detail) for time_s, _, detail in told(ticks(running, 7), "c")]
+    assert states == [
+        (0.0, {"state": "searching", "reason": "world"}),
+        (0.1, {"state": "inhibited", "by": "a"}),
+        (0.3, {"state": "searching", "reason": "world"}),
+        (0.4, {"state": "inhibited", "by": "b"}),
+        (0.5, {"state": "searching", "reason": "world"}),
+    ]
+
+
+def test_steps_achieved_in_one_tick_are_told_predecessors_first() -> None:
+    running = controller(Scripted("B", [1]), Scripted("A", [1]), links=CHAIN)
+    _, both = ticks(running, 2)
+    assert [event.component for event in both.events if event.kind == "achieved"] == ["a", "b"]

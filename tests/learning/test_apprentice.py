@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 
+import numpy as np
 import pytest
 
 from understudy.behaviors import Instance, SkillSet
@@ -9,9 +10,9 @@ from understudy.behaviors.drop import DROP
 from understudy.behaviors.pick_up import PICK_UP
 from understudy.behaviors.track import TRACK
 from understudy.geometry import Point
-from understudy.learning import Apprentice, evaluate
+from understudy.learning import Apprentice, demonstrate, evaluate
 from understudy.perception import GripperState, Percepts, Thing
-from understudy.robot import PIONEER, STOP, Color, Cue
+from understudy.robot import PIONEER, STOP, Color, Command, Cue, GripperReading, Observation, Scan
 
 SKILLS = SkillSet(TRACK, PICK_UP, DROP)
 TEACHER = Thing(id=1, color=Color.BLUE, position=Point(1.5, 0.0), radius=0.15, sensed=True, seen_s=0.0)
@@ -97,11 +98,61 @@ def test_drop_lets_go_and_backs_off() -> None:
     assert apprentice.mode == "following"
 
 
-def test_words_before_start_do_nothing() -> None:
+def test_words_before_start_do_nothing_and_are_told_to_do_nothing() -> None:
     apprentice = Apprentice(SKILLS, PIONEER)
-    command, _ = apprentice.step(percepts(boxes=[box(0.9)]), [Cue.TAKE, Cue.DROP])
+    command, news = apprentice.step(percepts(boxes=[box(0.9)]), [Cue.TAKE, Cue.DROP, Cue.DONE])
     assert command == STOP
     assert apprentice.mode == "idle"
+    assert [event["what"] for event in news if event["kind"] == "ignored"] == [
+        "no demonstration is going on",
+        "no demonstration is going on",
+        "a demonstration has not begun",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("cue", "gripper", "why"),
+    [
+        (Cue.DROP, EMPTY, "there is nothing in the gripper"),
+        (Cue.TAKE, HOLDING, "there is something in the gripper already"),
+        (Cue.START, EMPTY, "a demonstration is going on"),
+    ],
+)
+def test_what_cannot_be_obeyed_is_said(cue: Cue, gripper: GripperState, why: str) -> None:
+    apprentice = started()
+    _, news = apprentice.step(percepts(1.0, gripper=gripper), [cue])
+    assert news[-1] == {"time_s": 1.0, "kind": "ignored", "cue": cue.value, "what": why}
+    assert apprentice.mode == "following"
+
+
+class Clock:
+    """A robot that sees nothing, hears START, and whose clock began long ago."""
+
+    spec = PIONEER
+
+    def __init__(self) -> None:
+        self.ticks = 0
+
+    def sense(self) -> Observation:
+        scan = Scan(ranges=np.full(181, 3.0, np.float32))
+        cues = (Cue.START,) if self.ticks == 0 else ()
+        return Observation(time_s=1e6 + self.ticks / 10, scan=scan, gripper=GripperReading(), cues=cues)
+
+    def act(self, command: Command) -> None:
+        pass
+
+    def wait(self) -> None:
+        self.ticks += 1
+
+    def stop(self) -> None:
+        pass
+
+
+def test_a_demonstration_without_done_is_ended_in_time_whatever_the_clock_says() -> None:
+    robot = Clock()
+    found = demonstrate(robot, SKILLS, limit_s=5.0)
+    assert robot.ticks == 50
+    assert not found.done
 
 
 def test_done_ends_an_errand() -> None:

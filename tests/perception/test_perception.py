@@ -91,6 +91,14 @@ def test_a_target_that_is_hidden_is_not_forgotten() -> None:
     assert colors == {Color.GREEN, Color.RED}
 
 
+def test_a_contradiction_now_and_then_does_not_add_up() -> None:
+    perception = Perception(PIONEER)
+    watch(perception, [AHEAD], [Pose()] * 5)
+    for index in range(12):
+        watch(perception, [], [Pose()], 0.5 + index * 0.2)
+        assert watch(perception, [AHEAD], [Pose()], 0.6 + index * 0.2).targets
+
+
 def test_a_color_misread_now_and_then_is_outvoted() -> None:
     perception = Perception(PIONEER)
     watch(perception, [AHEAD], [Pose()] * 5)

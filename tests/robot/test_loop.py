@@ -1,12 +1,13 @@
 """The control loop: the robot stands still however it ends."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from understudy.errors import RobotError
-from understudy.robot import PIONEER, STOP, Command, NoJournal, Observation, RobotSpec, Scan, control
+from understudy.robot import PIONEER, STOP, Command, Cue, NoJournal, Observation, RobotSpec, Scan, control
 
 GO = Command(linear=0.3)
 
@@ -67,3 +68,48 @@ def test_a_short_gap_is_bridged() -> None:
     robot = Fake(iter([0.0, 0.0, 0.0, 0.3, 0.4]))
     control(robot, lambda seen: GO if seen.time_s < 0.4 else None, NoJournal(), period_s=0.1)
     assert robot.commands == [GO, STOP, STOP, GO]
+
+
+def test_many_short_gaps_are_no_long_one() -> None:
+    robot = Fake(iter([0.0, 0.0, 0.1, 0.1, 0.2, 0.2, 0.3, 0.3, 0.4, 0.4, 0.5, 0.5, 0.6]))
+    control(robot, lambda seen: GO if seen.time_s < 0.6 else None, NoJournal(), period_s=0.1)
+    assert robot.commands.count(STOP) == 6
+
+
+def test_words_heard_in_a_gap_are_not_lost() -> None:
+    robot = Fake(iter([0.0, 0.0, 0.0, 0.1]))
+    spoken = iter([(), (Cue.HERE,), (Cue.TAKE,), (Cue.DONE,)])
+    sense = robot.sense
+    robot.sense = lambda: replace(sense(), cues=next(spoken))  # type: ignore[method-assign]
+    heard: list[tuple[Cue, ...]] = []
+
+    def decide(seen: Observation) -> Command | None:
+        heard.append(seen.cues)
+        return GO if seen.time_s < 0.1 else None
+
+    control(robot, decide, NoJournal(), period_s=0.1)
+    assert heard == [(), (Cue.HERE, Cue.TAKE, Cue.DONE)]
+
+
+class Listener(NoJournal):
+    """Keeps the commands."""
+
+    def __init__(self) -> None:
+        self.told: list[tuple[float, Command]] = []
+
+    def command(self, time_s: float, command: Command) -> None:
+        self.told.append((time_s, command))
+
+
+def test_the_journal_is_told_of_every_stop() -> None:
+    robot, journal = Fake(iter([0.0, 0.0, 0.1, 0.2])), Listener()
+    control(robot, lambda seen: GO if seen.time_s < 0.2 else None, journal, period_s=0.1)
+    assert journal.told == [(0.0, GO), (0.0, STOP), (0.1, GO), (0.2, STOP)]
+
+
+def test_readings_that_cannot_be_used_stop_the_robot_before_anything_is_told() -> None:
+    robot, journal = Fake(iter([float("nan")])), Listener()
+    with pytest.raises(RobotError, match="not a number"):
+        control(robot, lambda seen: GO, journal, period_s=0.1)
+    assert robot.stops == 1
+    assert journal.told == []

@@ -13,7 +13,7 @@ from understudy.geometry import Point
 from understudy.network import Component, Network
 from understudy.perception import Percepts
 from understudy.recording import read_recording
-from understudy.robot import Color
+from understudy.robot import Color, Command
 from understudy.sessions import Performed, Stage, perform
 from understudy.sim import World, rearranged
 
@@ -175,3 +175,24 @@ def test_another_box_in_the_gripper_is_let_go() -> None:
     performed = perform("fetch", fetch, room, installed_skills(), limit_s=120.0, prepare=stages.append)
     assert performed.report.done
     assert stages[0].referee.held_box() == 0
+
+
+def test_the_referee_tells_of_hard_collisions() -> None:
+    """A robot that is driven into a wall: the verdict that every other test calls clean must not be."""
+    room = World.from_data(
+        {
+            "understudy": "world/1",
+            "name": "narrow",
+            "seed": 0,
+            "arena": {"size": [3.0, 3.0]},
+            "robots": [{"name": "learner", "at": [1.5, 1.5]}],
+        }
+    )
+    stage = Stage(room)
+    assert stage.verdict().clean
+    for _ in range(60):
+        stage.robot.act(Command(linear=0.5))
+        stage.robot.wait()
+        stage.look()
+    assert stage.verdict().collisions == {"wall": 1}
+    assert not stage.verdict().clean
