@@ -82,8 +82,11 @@ class PrimitivePickUp:
     def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         gripper = percepts.gripper
         box = self._chosen(percepts, parameters["color"])
-        if gripper is None or (box is None and not gripper.blocked):
+        if gripper is None:
             return Action(drive=Drive()), {}
+        if box is None and not gripper.blocked:
+            # Lost from view, most likely too near to be seen: from farther off it can be.
+            return Action(drive=Drive(linear=-0.12)), {}
         phase, ticks = memory.get("phase", "approach"), memory.get("ticks", 0) + 1
         if phase == "release":
             return self._release(ticks)

@@ -212,8 +212,11 @@ class Perception:
             if not looked or here.distance > self.settings.box_range - 0.3:
                 return False
             hidden = self._range_towards(scan, here) < here.distance - 0.05
-            low_in_view = self.projection.sees(here, 0.0, margin=8)
-            return low_in_view and self.projection.sees(here, _BOX_TOP, margin=8) and not hidden
+            # Its near edge is the first to leave the picture, and a cut-off blob is no sighting.
+            nearer = 1 - _BOX_RADIUS / max(here.distance, 2 * _BOX_RADIUS)
+            foot = Point(here.x * nearer, here.y * nearer)
+            in_view = self.projection.sees(foot, 0.0, margin=8) and self.projection.sees(here, _BOX_TOP, margin=8)
+            return in_view and not hidden
 
         self.targets.contradict(time_s, tall_missing)
         self.boxes.contradict(time_s, box_missing)
