@@ -131,8 +131,8 @@ def test_a_box_is_not_forgotten_while_it_slides_out_of_the_picture() -> None:
     """Slowly driven up to, its foot is cut off first; from then on memory must do (§4.5.4.3)."""
     perception = Perception(PIONEER)
     box: Pillar = (Color.ORANGE, Point(1.2, 0.03))
-    for index in range(140):
-        pose = Pose(max(0.0, (index - 5) * 0.006), 0.0, 0.0)
+    for index in range(420):
+        pose = Pose(max(0.0, (index - 5) * 0.002), 0.0, 0.0)
         percepts = perception.update(observed(round(index * 0.1, 9), [], pose, boxes=[box]))
         assert index < 3 or len(percepts.boxes) == 1, pose
 
