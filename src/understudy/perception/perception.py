@@ -240,9 +240,10 @@ class Perception:
 
     def _obstacles(self, observation: Observation, targets: list[Thing]) -> NDArray[np.float64]:
         scan = _filled(observation.scan)
-        met = scan.ranges < scan.range_max  # inf is not
         directions = _directions(len(scan.ranges), scan.angle_min, scan.angle_increment)
-        laser: NDArray[np.float64] = directions[met] * scan.ranges[met, None]
+        met = np.flatnonzero(scan.ranges < scan.range_max)  # inf is not
+        laser: NDArray[np.float64] = directions.take(met, axis=0)
+        laser *= scan.ranges.take(met)[:, None]
         laser[:, 0] += self.spec.laser.x
         return np.concatenate((laser, *self._beside_and_behind(observation, targets)))
 
