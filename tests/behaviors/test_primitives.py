@@ -174,6 +174,15 @@ def test_wander_looks_around_once_and_then_goes_where_there_is_room() -> None:
     assert math.sin(going) < 0.5  # not into the wall on the left
 
 
+def test_wander_goes_on_where_there_is_no_room_to_turn() -> None:
+    wander, memory = Wander(), {}
+    for tick in range(150):
+        action, memory = wander.step(Percepts(time_s=tick / 10), memory, Random(1))
+        if isinstance(action.drive, Head):
+            return
+    pytest.fail("it waits for ever to have turned around")
+
+
 def test_boxes_are_gone_around_but_not_the_one_that_is_wanted() -> None:
     seen = sees(box=thing(1.0))
     assert np.hypot(*(surroundings(seen, None) - (1.0, 0.0)).T).max() == pytest.approx(0.05)

@@ -26,7 +26,14 @@ class Wander:
         """The action for this tick, and what to remember for the next."""
         pose = percepts.odometry.pose
         if not memory:
-            memory = {"phase": "look", "turned": 0.0, "heading": pose.heading, "side": random.choice((-1.0, 1.0))}
+            memory = {
+                "phase": "look",
+                "turned": 0.0,
+                "heading": pose.heading,
+                "side": random.choice((-1.0, 1.0)),
+                # Where there is no room to turn, half a look must do.
+                "until": percepts.time_s + 1.5 * math.tau / self.turn_rate,
+            }
         if memory["phase"] == "look":
             return self._look(percepts, memory, random)
         return self._go(percepts, memory)
@@ -34,7 +41,7 @@ class Wander:
     def _look(self, percepts: Percepts, memory: Memory, random: Random) -> tuple[Action, Memory]:
         heading = percepts.odometry.pose.heading
         turned = memory["turned"] + abs(wrap_angle(heading - memory["heading"]))
-        if turned < math.tau:
+        if turned < math.tau and percepts.time_s < memory["until"]:
             action = Action(drive=Drive(angular=memory["side"] * self.turn_rate))
             return action, {**memory, "turned": turned, "heading": heading}
         return self._go(percepts, self._new_leg(percepts, random))
