@@ -230,6 +230,18 @@ def test_a_far_target_does_not_lend_its_color_to_a_near_one() -> None:
     assert set(tracks[Color.PINK]) == {Color.PINK}
 
 
+def test_a_target_just_outside_the_picture_does_not_get_the_color_of_one_behind_it() -> None:
+    """The laser meets only the near one, and the camera only the far one, at its border."""
+    perception = Perception(PIONEER)
+    near: Pillar = (Color.GREEN, Point(1.26, 0.0))
+    far: Pillar = (Color.RED, Point(3.3, 0.36))
+    looking = [Pose(heading=math.radians(degrees)) for degrees in (0, 0, 0, 0, 10, 20, *[29] * 30)]
+    things = watch(perception, [near, far], looking).targets
+    assert things[0].color == Color.GREEN
+    assert things[0].position.distance < 1.5
+    assert set(perception.targets.tracks[0].votes) == {Color.GREEN}
+
+
 def test_without_pictures_the_laser_still_finds_obstacles() -> None:
     percepts = Perception(PIONEER).update(observed(0.0, [AHEAD], blind=True))
     assert percepts.targets == []

@@ -45,6 +45,9 @@ _BEARING_SLACK = math.radians(3.0)
 _UNLIKE = math.log(2.2)
 """A blob may look so many times wider or narrower than its object should: the laser measures far ones coarsely."""
 
+_FAR = 4.0
+"""Metres; the foot of what stands farther off may be lost in the noise at the horizon."""
+
 _CUT = 0.3
 """A blob narrowed by the picture's border fits less well than a whole one of the right width."""
 
@@ -164,9 +167,18 @@ class Perception:
         outside = max(0.0, bearing - left - half * cut_left, right - half * cut_right - bearing)
         ratio = math.log((blob.right - blob.left + 1) / (2 * cylinder.radius * camera.focal_px / away))
         unlike = _CUT if (cut_left or cut_right) and ratio < 0 else abs(ratio)
-        if outside > _BEARING_SLACK or unlike > _UNLIKE:
+        if outside > _BEARING_SLACK or unlike > _UNLIKE or not self._stands_there(blob, away):
             return None
         return unlike + 0.5 * outside / _BEARING_SLACK
+
+    def _stands_there(self, blob: Blob, away: float) -> bool:
+        """Whether the foot of a blob, if it is in the picture, agrees with a distance from the camera."""
+        if blob.bottom >= self.spec.camera.rows - 2:
+            return True
+        foot = self.projection.floor_point(blob.column, blob.bottom + 0.5)
+        if foot is None:
+            return away > _FAR
+        return 0.6 * away - 0.2 <= math.hypot(foot.x - self.spec.camera.x, foot.y) <= 1.5 * away + 0.3
 
     def _look_at_small(self, time_s: float, pose: Pose, scan: Scan, blob: Blob) -> None:
         camera = self.spec.camera
