@@ -234,8 +234,8 @@ def test_a_target_just_outside_the_picture_does_not_get_the_color_of_one_behind_
     """The laser meets only the near one, and the camera only the far one, at its border."""
     perception = Perception(PIONEER)
     near: Pillar = (Color.GREEN, Point(1.26, 0.0))
-    far: Pillar = (Color.RED, Point(3.3, 0.36))
-    looking = [Pose(heading=math.radians(degrees)) for degrees in (0, 0, 0, 0, 10, 20, *[29] * 30)]
+    far: Pillar = (Color.RED, Point(2.8, 0.10))
+    looking = [Pose(heading=math.radians(degrees)) for degrees in (0, 0, 0, 0, 10, 20, *[27] * 30)]
     things = watch(perception, [near, far], looking).targets
     assert things[0].color == Color.GREEN
     assert things[0].position.distance < 1.5
