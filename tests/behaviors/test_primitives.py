@@ -65,10 +65,11 @@ def test_pick_up_goes_aligns_enters_closes_and_lifts() -> None:
     assert aside[1].drive.angular > 0
     assert near[1].drive == Drive(linear=0.12)
     held = sees(hand=gripper(open_=False, blocked=True, color=Color.ORANGE))
-    closing = phases(iter([sees(box=thing(0.33), hand=gripper(blocked=True)), *[held] * 16]))
-    assert [action.paddles for _, action in closing] == ["close"] * 17
+    closing = phases(iter([*[sees(box=thing(0.33), hand=gripper(blocked=True))] * 4, *[held] * 16]))
+    assert [action.drive for _, action in closing] == [Drive(linear=0.12)] * 3 + [Drive()] * 17
+    assert [action.paddles for _, action in closing] == ["open"] * 3 + ["close"] * 17
     assert [action.lift for _, action in closing].count("up") == 9
-    assert [action.keep_on for _, action in closing] == [True] * 15 + [False] * 2
+    assert [action.keep_on for _, action in closing] == [True] * 18 + [False] * 2
 
 
 def test_pick_up_does_not_lower_the_gripper_onto_a_box() -> None:

@@ -15,6 +15,9 @@ COLOR = Parameter(name="color", kind="color")
 
 _BEAM = PIONEER.gripper.x_beam if PIONEER.gripper else 0.0
 
+_DRAW_IN_TICKS = 3
+"""Going on once the beam is broken: a box gripped by its near edge lies at the beam's edge, and slides out of it."""
+
 _SETTLE_TICKS = 8
 """Paddles and lift need about this long; 0.8 s."""
 
@@ -91,9 +94,9 @@ class PrimitivePickUp:
         if phase == "release":
             return self._release(ticks)
         if gripper.blocked and phase != "close":
-            phase, ticks = "close", 1
+            phase, ticks = "close", 1 if gripper.open else _DRAW_IN_TICKS + 1
         if phase == "close":
-            if ticks > _SETTLE_TICKS and gripper.holding and gripper.color != parameters["color"]:
+            if ticks > _DRAW_IN_TICKS + _SETTLE_TICKS and gripper.holding and gripper.color != parameters["color"]:
                 return self._release(1)  # another box got in between
             return self._close(gripper.blocked, ticks)
         assert box is not None
@@ -150,13 +153,16 @@ class PrimitivePickUp:
     def _close(blocked: bool, ticks: int) -> tuple[Action, Memory]:
         if not blocked:  # it slipped out
             return Action(drive=Drive(), paddles="open", lift="down"), {"phase": "back", "ticks": 0}
-        lifting = ticks > _SETTLE_TICKS
+        if ticks <= _DRAW_IN_TICKS:
+            return Action(drive=Drive(linear=0.12), paddles="open", keep_on=True), {"phase": "close", "ticks": ticks}
+        ticks_closed = ticks - _DRAW_IN_TICKS
+        lifting = ticks_closed > _SETTLE_TICKS
         action = Action(
             drive=Drive(),
             paddles="close",
             lift="up" if lifting else None,
             # Do not interrupt me before it is lifted (§3.2.2): the goal is true as soon as the paddles are closed.
-            keep_on=ticks < 2 * _SETTLE_TICKS,
+            keep_on=ticks_closed < 2 * _SETTLE_TICKS,
         )
         return action, {"phase": "close", "ticks": ticks}
 
