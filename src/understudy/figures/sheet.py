@@ -22,6 +22,11 @@ Align = Literal["left", "center", "right"]
 Dashes = Sequence[float]
 
 
+def _line_style(dashes: Dashes | None) -> Any:
+    """What matplotlib calls a line of these dashes."""
+    return (0, tuple(dashes)) if dashes else "solid"
+
+
 class Sheet:
     """A figure with one pair of axes that covers it: x to the right, y downwards, both in points.
 
@@ -81,8 +86,9 @@ class Sheet:
     ) -> None:
         """A line through the points."""
         xs, ys = np.asarray(points, dtype=float).T
-        style: Any = (0, tuple(dashes)) if dashes else "solid"
-        [line] = self.axes.plot(xs, ys, color=color, linewidth=width, linestyle=style, zorder=z, marker="")
+        [line] = self.axes.plot(
+            xs, ys, color=color, linewidth=width, linestyle=_line_style(dashes), zorder=z, marker=""
+        )
         line.set_snap(False)  # else two lines, one on the other, are not centred on each other
         line.set_dash_capstyle(cap)
         line.set_solid_capstyle(cap)
@@ -115,12 +121,11 @@ class Sheet:
         z: float = 2,
     ) -> None:
         """A box from its upper left corner; the hatching takes the border's color."""
-        style: Any = (0, tuple(dashes)) if dashes else "solid"
         kind: dict[str, Any] = {
             "facecolor": fill,
             "edgecolor": border,
             "linewidth": line if border != "none" else 0,
-            "linestyle": style,
+            "linestyle": _line_style(dashes),
             "hatch": hatch,
             "hatch_linewidth": 0.6,
             "zorder": z,
@@ -144,9 +149,16 @@ class Sheet:
         z: float = 4,
     ) -> None:
         """A circle."""
-        style: Any = (0, tuple(dashes)) if dashes else "solid"
         self.axes.add_patch(
-            Circle((x, y), radius, facecolor=fill, edgecolor=border, linewidth=line, linestyle=style, zorder=z)
+            Circle(
+                (x, y),
+                radius,
+                facecolor=fill,
+                edgecolor=border,
+                linewidth=line,
+                linestyle=_line_style(dashes),
+                zorder=z,
+            )
         )
 
     def polygon(
@@ -160,7 +172,6 @@ class Sheet:
         z: float = 4,
     ) -> None:
         """A closed shape."""
-        style: Any = (0, tuple(dashes)) if dashes else "solid"
         self.axes.add_patch(
             Polygon(
                 np.asarray(corners, dtype=float),
@@ -168,7 +179,7 @@ class Sheet:
                 facecolor=fill,
                 edgecolor=border,
                 linewidth=line if border != "none" else 0,
-                linestyle=style,
+                linestyle=_line_style(dashes),
                 joinstyle="round",
                 zorder=z,
             )
@@ -176,14 +187,13 @@ class Sheet:
 
     def curve(self, path: Path, *, color: str, width: float, dashes: Dashes | None = None, z: float = 2) -> None:
         """An open curve."""
-        style: Any = (0, tuple(dashes)) if dashes else "solid"
         self.axes.add_patch(
             PathPatch(
                 path,
                 fill=False,
                 edgecolor=color,
                 linewidth=width,
-                linestyle=style,
+                linestyle=_line_style(dashes),
                 capstyle="butt",
                 joinstyle="round",
                 snap=False,
