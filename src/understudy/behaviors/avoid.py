@@ -69,11 +69,11 @@ class Avoid:
             aim: what is approached on purpose, or None.
             aim_radius: its radius.
         """
-        reach = self.settings.look_ahead
+        reach = self.settings.look_ahead if aim is None else min(self.settings.look_ahead, aim.distance)
+        matters = _within(obstacles, Point(0.0, 0.0), reach + self.settings.corridor)
         if aim is not None:
-            reach = min(reach, aim.distance)
-            obstacles = _without(obstacles, aim, aim_radius + 0.12)
-        bearing = self._free_bearing(head.bearing, obstacles, reach)
+            matters &= ~_within(obstacles, aim, aim_radius + 0.12)
+        bearing = self._free_bearing(head.bearing, obstacles[matters], reach)
         if bearing is None:
             return Drive(angular=math.copysign(0.6, head.bearing))
         angular = max(-1.2, min(1.2, 2.0 * bearing))
@@ -81,17 +81,25 @@ class Avoid:
         linear = head.speed * max(0.0, math.cos(min(math.pi / 2, 1.5 * abs(bearing))))
         return Drive(linear=linear, angular=angular)
 
-    def _free_bearing(self, wanted: float, obstacles: Points, reach: float) -> float | None:
-        near = obstacles[np.hypot(obstacles[:, 0], obstacles[:, 1]) < reach + self.settings.corridor]
+    def _free_bearing(self, wanted: float, near: Points, reach: float) -> float | None:
         if not len(near):
             return wanted
+        if not self._blocked(np.array([wanted]), near, reach)[0]:
+            return wrap_angle(wanted)
         bearings = wanted + _OFFSETS
-        cos, sin = np.cos(bearings)[:, None], np.sin(bearings)[:, None]
-        along = cos * near[:, 0] + sin * near[:, 1]
-        across = -sin * near[:, 0] + cos * near[:, 1]
-        blocked = ((along > 0.05) & (along < reach) & (np.abs(across) < self.settings.corridor)).any(axis=1)
-        free = np.flatnonzero(~blocked)
+        free = np.flatnonzero(~self._blocked(bearings, near, reach))
         return wrap_angle(float(bearings[free[0]])) if len(free) else None
+
+    def _blocked(self, bearings: NDArray[np.float64], near: Points, reach: float) -> NDArray[np.bool_]:
+        """For each direction, whether a point lies in the corridor along it."""
+        cos, sin = np.cos(bearings)[:, None], np.sin(bearings)[:, None]
+        x, y = near[:, 0], near[:, 1]
+        inside = np.abs(cos * y - sin * x) < self.settings.corridor
+        along = cos * x + sin * y
+        inside &= along > 0.05
+        inside &= along < reach
+        blocked: NDArray[np.bool_] = np.logical_or.reduce(inside, axis=1)
+        return blocked
 
     def guard(self, drive: Drive, obstacles: Points, aim: Point | None, aim_radius: float) -> tuple[Drive, bool]:
         """The speeds themselves if they are safe, else the mildest change of them that is.
@@ -101,15 +109,14 @@ class Avoid:
         """
         # The alternatives tried below are slow; farther points cannot matter within the horizon.
         limit = self._reach + self.settings.margin + max(0.12, abs(drive.linear)) * self.settings.horizon
-        near = obstacles[(obstacles * obstacles).sum(axis=1) < limit * limit]
+        near = obstacles[_within(obstacles, Point(0.0, 0.0), limit)]
         if not len(near):
             return drive, False
-        margins = np.full(len(near), self.settings.margin)
-        if aim is not None:
-            close = np.hypot(near[:, 0] - aim.x, near[:, 1] - aim.y) < aim_radius + 0.12
-            margins[close] = self.settings.aim_margin
         # What is within the margin already may stay there, but not come nearer.
-        margins = np.minimum(margins, self._clearance(near[:, 0], near[:, 1]) - 0.005)
+        margins = np.minimum(self._clearance(near[:, 0], near[:, 1]) - 0.005, self.settings.margin)
+        if aim is not None:
+            close = _within(near, aim, aim_radius + 0.12)
+            margins[close] = np.minimum(margins[close], self.settings.aim_margin)
         if self._safe(drive, near, margins):
             return drive, False
         linear, angular = drive.linear, drive.angular
@@ -147,5 +154,7 @@ class Avoid:
         return clearance
 
 
-def _without(points: Points, center: Point, radius: float) -> Points:
-    return points[np.hypot(points[:, 0] - center.x, points[:, 1] - center.y) > radius]
+def _within(points: Points, center: Point, radius: float) -> NDArray[np.bool_]:
+    dx, dy = points[:, 0] - center.x, points[:, 1] - center.y
+    within: NDArray[np.bool_] = dx * dx + dy * dy < radius * radius
+    return within

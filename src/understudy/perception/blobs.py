@@ -42,10 +42,11 @@ def find_blobs(image: NDArray[np.uint8], *, min_area: int = 12) -> list[Blob]:
     if not width:
         return []
     crop = classes[y : y + height, x : x + width]
-    counts = np.bincount(crop.reshape(-1), minlength=len(COLOR_CLASSES) + 1)
+    counts = np.bincount(crop.reshape(-1), minlength=len(COLOR_CLASSES) + 1).tolist()
     blobs: list[Blob] = []
-    for index in (np.flatnonzero(counts[1:] >= min_area) + 1).tolist():
-        blobs += _components(crop == index, COLOR_CLASSES[index - 1], x, y, min_area)
+    for index, color in enumerate(COLOR_CLASSES, start=1):
+        if counts[index] >= min_area:
+            blobs += _components(crop == index, color, x, y, min_area)
     return blobs
 
 

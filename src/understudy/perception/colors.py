@@ -22,7 +22,7 @@ _MIN_BRIGHTNESS = 90
 
 @cache
 def color_table() -> NDArray[np.uint8]:
-    """The class of every 15-bit color, shape ``(32768,)``, index ``r5 << 10 | g5 << 5 | b5``.
+    """The class of every 15-bit color, shape ``(65536,)``, index ``r5 << 10 | g5 << 5 | b5``, twice over.
 
     A pixel belongs to the nearest trained color in chromaticity (the channels' shares of their sum), which does not
     change with the brightness of the light; pixels that are dark or far from every trained color belong to none.
@@ -36,7 +36,7 @@ def color_table() -> NDArray[np.uint8]:
     distance = np.linalg.norm(chroma[:, None, :] - trained[None, :, :], axis=2)
     nearest = distance.argmin(axis=1)
     known = (distance.min(axis=1) <= _MAX_CHROMA_DISTANCE) & (brightness >= _MIN_BRIGHTNESS)
-    return np.where(known, nearest + 1, 0).astype(np.uint8)
+    return np.tile(np.where(known, nearest + 1, 0).astype(np.uint8), 2)
 
 
 def classify(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -49,5 +49,5 @@ def classify(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
         Classes, shape ``(height, width)``, see :data:`COLOR_CLASSES`.
     """
     packed = cv2.cvtColor(image, cv2.COLOR_RGB2BGR555).view(np.uint16).reshape(image.shape[:2])
-    classes: NDArray[np.uint8] = np.take(color_table(), packed)
+    classes: NDArray[np.uint8] = cv2.LUT(packed, color_table()).reshape(packed.shape)  # type: ignore[assignment]
     return classes

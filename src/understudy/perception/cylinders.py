@@ -49,7 +49,7 @@ def find_cylinders(scan: Scan, laser_x: float) -> list[Cylinder]:
     reaches = np.fmin(scan.ranges, np.float32(scan.range_max))
     jumps = reaches[1:] - reaches[:-1]
     # A group ends where the range jumps; the first and the last ray of the sweep close groups, too.
-    edges = np.flatnonzero(np.abs(jumps) > _JUMP).tolist()
+    edges = (np.abs(jumps) > _JUMP).nonzero()[0].tolist()
     ranges, steps = reaches.tolist(), jumps.tolist()
     last = len(ranges) - 1
     cylinders: list[Cylinder] = []
@@ -61,9 +61,10 @@ def find_cylinders(scan: Scan, laser_x: float) -> list[Cylinder]:
         near = min(ranges[start : end + 1])
         rays = end - start + 1
         width = near * rays * scan.angle_increment
+        if near >= scan.range_max or width > _MAX_WIDTH:
+            continue
         # A wall that runs past the robot is near at one end only: from end to end it is wide.
-        chord = math.dist(_polar(ranges[start], start, scan), _polar(ranges[end], end, scan))
-        if near >= scan.range_max or max(width, chord) > _MAX_WIDTH:
+        if math.dist(_polar(ranges[start], start, scan), _polar(ranges[end], end, scan)) > _MAX_WIDTH:
             continue
         radius = max(_MIN_RADIUS, width / 2)
         bearing = scan.angle_min + (start + end) / 2 * scan.angle_increment

@@ -200,12 +200,12 @@ class Perception:
             for track in memory.tracks:
                 here = pose.to_local(track.place)
                 gate = self.settings.laser_gate if memory is self.targets else memory.settings.gate_m
-                near = min(free, key=lambda cylinder: cylinder.center.distance_to(here), default=None)
-                if near is None or near.center.distance_to(here) > gate:
+                near = min(((c.center.distance_to(here), i) for i, c in enumerate(free)), default=(math.inf, 0))
+                if near[0] > gate:
                     continue
-                free.remove(near)
+                met = free.pop(near[1])
                 if track.believed and track.seen_s < time_s:
-                    memory.felt(track, time_s, pose, near.center, near.radius, whole=not near.cut)
+                    memory.felt(track, time_s, pose, met.center, met.radius, whole=not met.cut)
 
     def _forget(self, time_s: float, pose: Pose, scan: Scan, *, looked: bool) -> None:
         """Forgets what should have been met and was not."""
@@ -253,11 +253,12 @@ class Perception:
     def _obstacles(self, observation: Observation, targets: list[Thing]) -> NDArray[np.float64]:
         scan = _filled(observation.scan)
         directions = _directions(len(scan.ranges), scan.angle_min, scan.angle_increment)
-        met = np.flatnonzero(scan.ranges < scan.range_max)  # inf is not
-        laser: NDArray[np.float64] = directions.take(met, axis=0)
-        laser *= scan.ranges.take(met)[:, None]
+        met = scan.ranges < scan.range_max  # inf is not
+        laser: NDArray[np.float64]
+        laser = directions * scan.ranges[:, None] if met.all() else directions[met] * scan.ranges[met, None]
         laser[:, 0] += self.spec.laser.x
-        return np.concatenate((laser, *self._beside_and_behind(observation, targets)))
+        others = self._beside_and_behind(observation, targets)
+        return np.concatenate((laser, *others)) if others else laser
 
     def _beside_and_behind(self, observation: Observation, targets: list[Thing]) -> list[NDArray[np.float64]]:
         """Where the laser is blind, the sonars' echoes and the remembered targets stand in for it."""
@@ -277,9 +278,9 @@ class Perception:
 
 def _filled(scan: Scan) -> Scan:
     """The sweep with every unusable ray taking the nearer of its usable neighbours: a gap is not free space."""
-    bad = np.isnan(scan.ranges)
-    if not bad.any():
+    if not scan.unusable:
         return scan
+    bad = np.isnan(scan.ranges)
     usable = np.flatnonzero(~bad)
     place = np.searchsorted(usable, np.flatnonzero(bad))
     before, after = usable[np.maximum(place - 1, 0)], usable[np.minimum(place, len(usable) - 1)]

@@ -33,6 +33,14 @@ class Scan:
     angle_increment: float = math.pi / 180
     range_max: float = 8.0
 
+    @property
+    def unusable(self) -> int:
+        """How many rays gave no reading."""
+        # The least of numbers is NaN if any of them is, which is quicker told than counted.
+        if not self.ranges.size or not math.isnan(self.ranges.min()):
+            return 0
+        return int(np.isnan(self.ranges).sum())
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Odometry:
@@ -100,8 +108,7 @@ class Observation:
                 f"the odometry at t={self.time_s} s is not a number ({pose}); "
                 "check the wheel encoders or the /odom topic"
             )
-        rays = self.scan.ranges.size
-        bad = int(np.isnan(self.scan.ranges).sum())
+        rays, bad = self.scan.ranges.size, self.scan.unusable
         if not rays or bad > _MAX_BAD_RAYS * rays:
             raise RobotError(
                 f"{bad} of {rays} laser rays are unusable (NaN) at t={self.time_s} s, and the robot must "

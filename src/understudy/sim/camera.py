@@ -64,12 +64,11 @@ class Camera:
         self._grain = _Grain(noise.image, self._backgrounds[0].size, rng)
         self._light = 0.0
 
-    def picture(self) -> Image:
-        """One frame: RGB, ``(rows, width, 3)``."""
+    def picture(self, pose: Pose) -> Image:
+        """One frame of a robot at this true pose: RGB, ``(rows, width, 3)``."""
         self._light = _LIGHT_MEMORY * self._light + math.sqrt(1 - _LIGHT_MEMORY**2) * self._rng.standard_normal()
         level = round(_GAIN_LEVELS * (1.0 + min(1.0, max(-1.0, self._light / 3.0))))
         gain, image = self._gains[level], self._backgrounds[level].copy()
-        pose = self._body.pose
         eye = Pose(*pose.to_parent(Point(self._mount.x, 0.0)), pose.heading)
         self._draw_walls(image, eye, gain)
         self._draw_things(image, eye, gain)
@@ -78,9 +77,10 @@ class Camera:
         return self._grain.on(image)
 
     def _draw_walls(self, image: Image, eye: Pose, gain: float) -> None:
-        pixel = self._lens.pixel
-        for wall in self._scenery.arena_walls:
-            seen = _between_sight_lines(eye.to_local(wall.start), eye.to_local(wall.end), math.tan(self._widest))
+        pixel, slope = self._lens.pixel, math.tan(self._widest)
+        ends = [eye.to_local(wall.start) for wall in self._scenery.arena_walls]
+        for wall, start, end in zip(self._scenery.arena_walls, ends, ends[1:] + ends[:1], strict=True):
+            seen = _between_sight_lines(start, end, slope)
             if seen is not None:
                 (f1, l1), (f2, l2) = seen
                 face = (pixel(f1, l1, 0.0), pixel(f2, l2, 0.0), pixel(f2, l2, wall.height), pixel(f1, l1, wall.height))
@@ -134,12 +134,13 @@ class Camera:
         # What lies above the picture's upper edge need not be drawn, and would be behind the tilted lens when near.
         upper = min(top, self._mount.height + (away + radius) * math.tan(math.radians(10)))
         toward, half_arc = math.atan2(-place.y, -place.x), math.acos(radius / away)
+        pixel = self._lens.pixel
         corners: list[tuple[int, int]] = []
         for j, share in enumerate(_RIM):
             angle = toward + half_arc * share
             forward = max(NEAR_M, place.x + radius * math.cos(angle))
             left = place.y + radius * math.sin(angle)
-            low, high = self._lens.pixel(forward, left, bottom), self._lens.pixel(forward, left, upper)
+            low, high = pixel(forward, left, bottom), pixel(forward, left, upper)
             # Alternating, so that any four in a row from an even place on go around one strip.
             corners += (low, high) if j % 2 == 0 else (high, low)
         outline = np.array(corners, np.int32)
@@ -170,9 +171,12 @@ class Camera:
             )
             for i, j, k in prisms.SIGNS
         ]
-        if self._lens.off_screen(corners):
+        depths = self._lens.depths(corners)
+        if self._lens.off_screen(corners, depths):
             return
-        before_the_lens = self._lens.nearest(corners) >= NEAR_M
+        before_the_lens = min(depths) >= NEAR_M
+        if before_the_lens:
+            pixels = np.array([self._lens.pixel(*corner) for corner in corners], np.int32)
         # The eye in the prism's own axes tells which of its faces it sees.
         to_eye = (eye.x - x, eye.y - y, self._mount.height - z)
         for axis, (ax, ay, az, reach) in enumerate(zip(rx, ry, rz, half, strict=True)):
@@ -182,12 +186,11 @@ class Camera:
             sign = 1 if place > 0 else -1
             sunward = sign * (ax * math.cos(_LIGHT_FROM) + ay * math.sin(_LIGHT_FROM))
             lit = _lit(prisms.paints[i], gain * (0.9 + 0.17 * sunward + 0.12 * max(0.0, sign * az)))
-            face = [corners[corner] for corner in prisms.FACES[axis, sign]]
+            face = prisms.FACES[axis, sign]
             if before_the_lens:
-                outline = [self._lens.pixel(*corner) for corner in face]
-                cv2.fillConvexPoly(image, np.array(outline, np.int32), lit)
+                cv2.fillConvexPoly(image, pixels[face], lit)
             else:
-                shape = np.array(face)
+                shape = np.array([corners[corner] for corner in face])
                 self._fill(image, self._lens.in_camera(shape[:, :2], shape[:, 2]), lit)
 
     def _draw_false_blob(self, image: Image, gain: float) -> None:
@@ -225,6 +228,8 @@ def _between_sight_lines(start: Point, end: Point, slope: float) -> tuple[Point,
 
     What lies behind the lens would be drawn upside down.
     """
+    if max(start.x, end.x) <= 0.0:
+        return None
     for side in (1.0, -1.0):
         a, b = slope * start.x + side * start.y, slope * end.x + side * end.y
         if a <= 0.0 and b <= 0.0:

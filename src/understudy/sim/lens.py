@@ -55,17 +55,20 @@ class Lens:
         columns_rows += (self._column, self._row)
         return np.rint(columns_rows).astype(np.int32)
 
-    def nearest(self, in_view: Sequence[tuple[float, float, float]]) -> float:
-        """The least depth of points (forward, left, height), along the lens's axis."""
-        return min(self._cos * forward - self._sin * (height - self._height) for forward, _, height in in_view)
+    def depths(self, in_view: Sequence[tuple[float, float, float]]) -> list[float]:
+        """Of points (forward, left, height), along the lens's axis."""
+        cos, sin, lens = self._cos, self._sin, self._height
+        return [cos * forward - sin * (height - lens) for forward, _, height in in_view]
 
-    def off_screen(self, in_view: Sequence[tuple[float, float, float]]) -> bool:
+    def off_screen(self, in_view: Sequence[tuple[float, float, float]], depths: Sequence[float]) -> bool:
         """Whether all points (forward, left, height) lie behind the lens, or all to one side of the picture."""
-        depths = [self._cos * forward - self._sin * (height - self._height) for forward, _, height in in_view]
         if max(depths) <= NEAR_M:
             return True
-        edges = [(left, self._slope * depth) for (_, left, _), depth in zip(in_view, depths, strict=True)]
-        return all(left > edge for left, edge in edges) or all(-left > edge for left, edge in edges)
+        slope = self._slope
+        lefts = [left - slope * depth for (_, left, _), depth in zip(in_view, depths, strict=True)]
+        if min(lefts) > 0.0:
+            return True
+        return all(-left > slope * depth for (_, left, _), depth in zip(in_view, depths, strict=True))
 
 
 def clipped(face: Floats) -> Floats:

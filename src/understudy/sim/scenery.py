@@ -84,13 +84,13 @@ class Prisms:
         self._geoms = np.array(geoms, np.intp)
         self.halves[self._still :] = model.geom_size[self._geoms]
         self.radii: list[float] = np.linalg.norm(self.halves[:, :2], axis=1).tolist()
-        self._data = data
+        self._places, self._attitudes = data.geom_xpos, data.geom_xmat.reshape(-1, 3, 3)
 
     def refresh(self) -> None:
         """Takes the places of things that move."""
         if self._geoms.size:
-            self.centres[self._still :] = self._data.geom_xpos[self._geoms]
-            self.rotations[self._still :] = self._data.geom_xmat[self._geoms].reshape(-1, 3, 3)
+            self.centres[self._still :] = self._places[self._geoms]
+            self.rotations[self._still :] = self._attitudes[self._geoms]
 
 
 class Cylinders:
@@ -117,7 +117,7 @@ class Cylinders:
             self.paints.append(RGB[color])
             self.owners.append(owner)
         self._geoms = np.array(geoms, np.intp)
-        self._data = data
+        self._places = data.geom_xpos
         self.centres = np.zeros((len(geoms), 3))
         self.radii: list[float] = model.geom_size[self._geoms, 0].tolist()
         halves = model.geom_size[self._geoms, 1]
@@ -129,7 +129,7 @@ class Cylinders:
     def refresh(self) -> None:
         """Takes the places of things that move."""
         if self._geoms.size:
-            self.centres[:] = self._data.geom_xpos[self._geoms]
+            self._places.take(self._geoms, axis=0, out=self.centres, mode="clip")
 
 
 class Scenery:

@@ -30,25 +30,26 @@ class _Fan:
     """Level rays from one point of a robot, met by everything solid but the robot itself."""
 
     def __init__(self, model: Any, data: Any, body: RobotBody, *, at: Point, height: float, angles: ArrayLike) -> None:
-        self._model, self._data, self._body = model, data, body
+        self._model, self._data, self._robot = model, data, body.index.body
         self._at, self._height = at, height
         directions = np.asarray(angles, np.float64)
         rays = directions.size
         self._local = np.stack([np.cos(directions), np.sin(directions)], axis=1)
         self._origin = np.zeros(3)
+        self._turned = np.zeros((2, 3))
         self._directions = np.zeros((rays, 3))
         self._flat = self._directions.reshape(-1)
         self._geoms = np.zeros(rays, np.int32)
         self._distances = np.zeros(rays)
         self._groups = _only(GROUP_SOLID)
 
-    def cast(self, reach: float) -> NDArray[np.float64]:
+    def cast(self, pose: Pose, reach: float) -> NDArray[np.float64]:
         """Metres to what each ray meets, negative where it meets nothing; the array is reused."""
-        pose = self._body.pose
         x, y = pose.to_parent(self._at)
         self._origin[:] = x, y, self._height
         c, s = math.cos(pose.heading), math.sin(pose.heading)
-        np.matmul(self._local, ((c, s), (-s, c)), out=self._directions[:, :2])
+        self._turned[:, :2] = (c, s), (-s, c)
+        np.dot(self._local, self._turned, out=self._directions)
         mujoco.mj_multiRay(
             self._model,
             self._data,
@@ -56,7 +57,7 @@ class _Fan:
             self._flat,
             self._groups,
             1,
-            self._body.index.body,
+            self._robot,
             self._geoms,
             self._distances,
             None,
@@ -76,15 +77,14 @@ class Laser:
         angles = self._angle_min + self._increment * np.arange(mount.rays)
         self._fan = _Fan(model, data, body, at=Point(mount.x, 0.0), height=mount.height, angles=angles)
 
-    def scan(self) -> Scan:
-        """One sweep."""
-        met = self._fan.cast(self._range)
-        met[met < 0.0] = np.inf
+    def scan(self, pose: Pose) -> Scan:
+        """One sweep of a robot at this true pose."""
+        met = self._fan.cast(pose, self._range)
         ranges = self._rng.standard_normal(met.size, np.float32)
         ranges *= self._std
         ranges += met
-        ranges[ranges > self._range] = np.inf
         np.maximum(ranges, 0.0, out=ranges)
+        ranges[(met < 0.0) | (ranges > self._range)] = np.inf
         return Scan(ranges=ranges, angle_min=self._angle_min, angle_increment=self._increment, range_max=self._range)
 
 
@@ -103,12 +103,16 @@ class SonarRing:
         angles = [pose.heading + share * spec.sonar_cone for pose in spec.sonar_poses for share in _SONAR_RAYS]
         self._fan = _Fan(model, data, body, at=Point(0.0, 0.0), height=spec.sonar_height, angles=angles)
 
-    def ranges(self) -> NDArray[np.float32]:
-        """Metres from each sonar, ``inf`` for no echo."""
-        met = self._fan.cast(self._reach)
-        nearest = np.where(met < 0.0, np.inf, met).reshape(-1, len(_SONAR_RAYS)).min(axis=1) - self._offsets
-        echo = nearest + self._std * self._rng.standard_normal(nearest.size)
-        ranges: NDArray[np.float32] = np.where(nearest <= self._range, np.maximum(echo, 0.0), np.inf).astype(np.float32)
+    def ranges(self, pose: Pose) -> NDArray[np.float32]:
+        """Metres from each sonar of a robot at this true pose, ``inf`` for no echo."""
+        met = self._fan.cast(pose, self._reach)
+        met[met < 0.0] = np.inf
+        nearest = met.reshape(-1, len(_SONAR_RAYS)).min(axis=1) - self._offsets
+        echo = self._std * self._rng.standard_normal(nearest.size)
+        echo += nearest
+        np.maximum(echo, 0.0, out=echo)
+        echo[nearest > self._range] = np.inf
+        ranges: NDArray[np.float32] = echo.astype(np.float32)
         return ranges
 
 
@@ -156,9 +160,10 @@ class GripperSensor:
         self._misreads, self._rng = noise.beam_misreads, rng
         self._groups = _only(GROUP_BOXES)
         self._geom = np.zeros(1, np.int32)
+        self._origin, self._across = np.zeros(3), np.zeros(3)
 
-    def read(self) -> GripperReading:
-        """The gripper as its own sensors give it."""
+    def read(self, pose: Pose) -> GripperReading:
+        """The gripper of a robot at this true pose, as its own sensors give it."""
         spec: RobotSpec = self._body.spec
         gripper = spec.gripper
         assert gripper is not None
@@ -168,18 +173,18 @@ class GripperSensor:
         return GripperReading(
             aperture=min(1.0, max(0.0, (left + right) / gripper.opening)),
             lift=min(1.0, max(0.0, lift / gripper.lift_height)),
-            beam_broken=self.beam_broken() != misread,
+            beam_broken=self.beam_broken(pose) != misread,
         )
 
-    def beam_broken(self) -> bool:
+    def beam_broken(self, pose: Pose) -> bool:
         """The truth about the beam."""
         gripper = self._body.spec.gripper
         assert gripper is not None
         left, right = self._body.paddles
-        pose = self._body.pose
         x, y = pose.to_parent(Point(gripper.x_beam, left))
-        origin = np.array([x, y, GRIPPER_HEIGHT_M + self._body.lift])
-        across = np.array([math.sin(pose.heading), -math.cos(pose.heading), 0.0])
+        origin, across = self._origin, self._across
+        origin[:] = x, y, GRIPPER_HEIGHT_M + self._body.lift
+        across[:2] = math.sin(pose.heading), -math.cos(pose.heading)
         met = mujoco.mj_ray(
             self._model, self._data, origin, across, self._groups, 1, self._body.index.body, self._geom, None
         )

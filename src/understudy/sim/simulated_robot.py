@@ -65,13 +65,14 @@ class SimRobot:
         cues = tuple(self._heard)
         self._heard.clear()
         if self._sensed is None:
+            pose = self._body.pose
             self._sensed = Observation(
                 time_s=self._now(),
-                scan=self._laser.scan(),
-                sonar=self._sonars.ranges(),
-                image=self._camera.picture(),
+                scan=self._laser.scan(pose),
+                sonar=self._sonars.ranges(pose),
+                image=self._camera.picture(pose),
                 odometry=self._odometry.reading,
-                gripper=self._gripper.read(),
+                gripper=self._gripper.read(pose),
             )
         return replace(self._sensed, cues=cues) if cues else self._sensed
 

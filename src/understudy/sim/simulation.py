@@ -75,6 +75,7 @@ class Simulation:
             for start, body, seed_of_robot in zip(world.robots, self._bodies, seeds, strict=True)
         }
         self._observers: list[Callable[[Any], None]] = []
+        self._servos = self._data.ctrl
         self._ramps = np.zeros((_SUBSTEPS, self._model.nu))
         mujoco.mj_forward(self._model, self._data)
 
@@ -133,8 +134,8 @@ class Simulation:
         for body in self._bodies:
             begin, end = body.advance_servos()
             self._ramps[:, body.index.ctrl] = begin + _FRACTIONS * (end - begin)
-        for ctrl in self._ramps:
-            data.ctrl[:] = ctrl
+        for servos in self._ramps:
+            self._servos[:] = servos
             mujoco.mj_step(model, data)
             for look in self._observers:
                 look(data)
