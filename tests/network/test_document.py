@@ -103,7 +103,11 @@ def document(**changes: object) -> dict[str, object]:
         ({"understudy": "world/1"}, "understudy", "expected 'task/1', given 'world/1'"),
         (document(componets=[]), "componets", "did you mean 'components'?"),
         (document(components=[]), "components", "at least one"),
-        (document(components=[{"id": "a"}]), "components[0].behavior", "required and missing"),
+        (
+            document(components=[{"id": "a"}]),
+            "components[0]",
+            "exactly one of these keys is needed: behavior, network, ",
+        ),
         (
             document(links=[{"from": "a", "to": "b", "type": "always"}]),
             "links[0].type",

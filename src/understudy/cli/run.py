@@ -36,6 +36,7 @@ def command(
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.documents import write_new  # noqa: PLC0415
     from understudy.execution import compile_network  # noqa: PLC0415
+    from understudy.figures import goal_in_words  # noqa: PLC0415
     from understudy.network import load_task  # noqa: PLC0415
     from understudy.sessions import Workspace, perform  # noqa: PLC0415
     from understudy.sim import rearranged  # noqa: PLC0415
@@ -72,9 +73,7 @@ def command(
         typer.echo(json.dumps(record))
     else:
         for id_, time_s in performed.report.achieved:
-            node = skills[network.by_id[id_].behavior]
-            words = node.abstract.describe(node.complete(network.by_id[id_].parameters))
-            typer.echo(f"  achieved at {time_s:6.1f} s: {words}")
+            typer.echo(f"  achieved at {time_s:6.1f} s: {goal_in_words(network.by_path[id_], skills)}")
         if performed.report.done:
             typer.echo(f"Done after {performed.report.duration_s:.1f} s.")
         else:

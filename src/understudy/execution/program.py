@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from understudy.behaviors import Actuator, Parameters, Skill, unknown_skill
 from understudy.errors import NetworkError, SkillError
-from understudy.network import LinkType, Network
+from understudy.network import LinkType, Nab, Network
 
 __all__ = ["Arc", "Node", "Program", "compile_network"]
 
@@ -71,6 +71,8 @@ def compile_network(network: Network, skills: Mapping[str, Skill], *, source: st
     nodes = []
     for row, component in enumerate(network.components):
         path = f"components[{row}] ({component.id})"
+        if isinstance(component, Nab):
+            raise NetworkError("networks in a component's place cannot be executed yet", source=source, path=path)
         try:
             if component.behavior not in skills:
                 raise SkillError(unknown_skill(component.behavior, skills))

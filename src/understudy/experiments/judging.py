@@ -40,8 +40,9 @@ def problems_of(performed: Performed, network: Network) -> list[str]:
         if link.target in achieved and achieved.get(link.source, math.inf) > achieved[link.target]
     ]
     for id_, time_s in report.achieved:
-        if network.by_id[id_].behavior == "Track":
-            problems += _misplaced(performed, network.by_id[id_], time_s)
+        component = network.by_path[id_]
+        if isinstance(component, Component) and component.behavior == "Track":
+            problems += _misplaced(performed, component, time_s)
     if report.done:
         problems += _undelivered(performed, network)
     return problems + [f"ran into a {what} ({count} ×)" for what, count in performed.verdict.collisions.items()]
@@ -66,7 +67,8 @@ def _misplaced(performed: Performed, component: Component, time_s: float) -> lis
 
 def _undelivered(performed: Performed, network: Network) -> list[str]:
     """Whether the box that was fetched last truly lies at the target that was visited last before it was dropped."""
-    order = [network.by_id[id_] for id_, _ in performed.report.achieved]
+    reached = (network.by_path[id_] for id_, _ in performed.report.achieved)
+    order = [component for component in reached if isinstance(component, Component)]
     drops = [index for index, component in enumerate(order) if component.behavior == "Drop"]
     if not drops:
         return []

@@ -81,7 +81,7 @@ def taught_network(experiment: str, seed: int | None = None) -> tuple[World, Net
 
 def structure(network: Network) -> tuple[tuple[str, ...], ...]:
     """What two lessons of one task must have in common: the steps, on which side targets are passed, and the links."""
-    steps = tuple((component.id, _side(component)) for component in network.components)
+    steps = tuple((path, _side(part)) for path, part in network.walk() if isinstance(part, Component))
     return steps + tuple((link.source, link.target, link.type.value) for link in network.links)
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from understudy.figures.saving import save
     from understudy.figures.timeline import draw_observations
     from understudy.figures.trajectories import Mark, Trajectory, marks_of_cues, marks_of_run
-    from understudy.figures.words import describe_lesson, describe_task
+    from understudy.figures.words import describe_lesson, describe_task, goal_in_words
 
 __all__ = [
     "Layout",
@@ -29,6 +29,7 @@ __all__ = [
     "draw_observations",
     "draw_progress",
     "draw_progress_average",
+    "goal_in_words",
     "layout",
     "marks_of_cues",
     "marks_of_run",
@@ -45,7 +46,7 @@ _HOMES = {
     "saving": ("save",),
     "timeline": ("draw_observations",),
     "trajectories": ("Mark", "Trajectory", "marks_of_cues", "marks_of_run"),
-    "words": ("describe_lesson", "describe_task"),
+    "words": ("describe_lesson", "describe_task", "goal_in_words"),
 }
 
 

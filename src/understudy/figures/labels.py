@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from understudy.learning.construction import DECIMALS
-from understudy.network import Component, ParameterValue
+from understudy.network import Component, Nab, ParameterValue
 from understudy.robot import Color
 
 __all__ = ["Label", "clean", "label", "label_of", "number"]
@@ -27,8 +27,10 @@ class Label:
     details: str = ""
 
 
-def label_of(component: Component) -> Label:
-    """The label of a component."""
+def label_of(component: Component | Nab) -> Label:
+    """The label of a component; a network in its place is called by its task's name, or its id."""
+    if isinstance(component, Nab):
+        return Label(title=clean(component.task or component.id))
     return label(component.behavior, component.parameters)
 
 

@@ -32,7 +32,7 @@ from understudy.figures.style import (
     text_width,
     wrap,
 )
-from understudy.network import Component, LinkType, Network
+from understudy.network import Component, LinkType, Nab, Network
 
 __all__ = ["draw_network"]
 
@@ -147,9 +147,9 @@ class _Text:
             _sign(sheet, place.x + place.width - 14.0, place.y + place.height / 2, state)
 
 
-def _completed(component: Component, skills: Mapping[str, Skill]) -> Component:
+def _completed(component: Component | Nab, skills: Mapping[str, Skill]) -> Component | Nab:
     """The component with its skill's defaults, where the skill is known."""
-    if component.behavior not in skills:
+    if isinstance(component, Nab) or component.behavior not in skills:
         return component
     values = skills[component.behavior].complete(component.parameters)
     plain = {name: value if isinstance(value, float) else str(value) for name, value in values.items()}

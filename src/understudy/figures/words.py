@@ -8,9 +8,9 @@ from understudy.figures.labels import clean, label_of
 from understudy.learning.construction import DECIMALS
 from understudy.learning.learner import Lesson
 from understudy.learning.observations import Observed
-from understudy.network import Component, LinkType, Network, ParameterValue
+from understudy.network import Component, LinkType, Nab, Network, ParameterValue
 
-__all__ = ["describe_lesson", "describe_task"]
+__all__ = ["describe_lesson", "describe_task", "goal_in_words"]
 
 _EXPLAINED = "A step holds while what it achieved is still true. One that is needed and no longer holds is done again."
 
@@ -86,7 +86,7 @@ class _Telling:
     def __init__(self, network: Network, skills: Mapping[str, Skill]) -> None:
         self.network = network
         self.number = {id_: index for index, id_ in enumerate(network.topological_order, start=1)}
-        self.goal = {component.id: _goal(component, skills) for component in network.components}
+        self.goal = {component.id: goal_in_words(component, skills) for component in network.components}
 
     def conditions(self, id_: str, stage: Sequence[str]) -> list[str]:
         """What a step asks of others; the order only within its stage, and only if nothing else says it."""
@@ -136,8 +136,9 @@ def _stages(network: Network) -> list[tuple[str, ...]]:
     return stages
 
 
-def _goal(component: Component, skills: Mapping[str, Skill]) -> str:
-    if component.behavior in skills:
+def goal_in_words(component: Component | Nab, skills: Mapping[str, Skill]) -> str:
+    """What a component is to achieve: ``pick up the orange box``; of unknown skills, and of networks, the label."""
+    if isinstance(component, Component) and component.behavior in skills:
         skill = skills[component.behavior]
         try:
             # Rounded as what was learned is: what was seen then reads the same, and so does a picture of either.
@@ -154,7 +155,7 @@ def _goal(component: Component, skills: Mapping[str, Skill]) -> str:
 
 def _goal_of(observed: Observed, skills: Mapping[str, Skill]) -> str:
     parameters: dict[str, ParameterValue] = {**dict(observed.instance.parameters), **observed.values}
-    return _goal(Component(id="seen", behavior=observed.instance.behavior, parameters=parameters), skills)
+    return goal_in_words(Component(id="seen", behavior=observed.instance.behavior, parameters=parameters), skills)
 
 
 def _moment(observed: Observed) -> tuple[str, str]:

@@ -1,19 +1,52 @@
-"""Behavior networks as definitions: components, links, evidence, the document."""
+"""Behavior networks as definitions: components, links, control structures, evidence, the document."""
 
-from understudy.network.definition import Component, Link, LinkType, Network, ParameterValue
+from understudy.network.conditions import (
+    Achieved,
+    After,
+    AllOf,
+    AnyOf,
+    Complete,
+    Condition,
+    Happened,
+    Holds,
+    Not,
+    Possible,
+    TimedOut,
+    atoms,
+)
+from understudy.network.controls import Repeat, Switch, Timeout, Trigger
+from understudy.network.definition import Case, Component, Link, LinkType, Nab, Network, ParameterValue
 from understudy.network.document import Task, load_task, parse_task, save_task, task_schema, task_text
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
 
 __all__ = [
+    "Achieved",
+    "After",
+    "AllOf",
+    "AnyOf",
+    "Case",
+    "Complete",
     "Component",
+    "Condition",
+    "Happened",
+    "Holds",
     "Interval",
     "Link",
     "LinkEvidence",
     "LinkType",
+    "Nab",
     "Network",
+    "Not",
     "Occurrence",
     "ParameterValue",
+    "Possible",
+    "Repeat",
+    "Switch",
     "Task",
+    "TimedOut",
+    "Timeout",
+    "Trigger",
+    "atoms",
     "load_task",
     "parse_task",
     "save_task",

@@ -1,6 +1,10 @@
-"""A behavior network as it is written down: components, links, inhibitions (§3.3.1, §3.4). No run-time data."""
+"""A behavior network as it is written down: components, links, inhibitions (§3.3.1, §3.4). No run-time data.
 
-from collections.abc import Collection, Mapping
+A component is an abstract behavior (:class:`Component`), or a network in its place (:class:`Nab`), to any depth. Ids
+are unique within their network; a component anywhere in a hierarchy is called by its *path*, ``transport/gate/track``.
+"""
+
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -9,11 +13,19 @@ from heapq import heappop, heappush
 from types import MappingProxyType
 
 from understudy.errors import NetworkError
+from understudy.network.conditions import Condition, ParameterValue
+from understudy.network.controls import Repeat, Switch, Timeout, Trigger, check_controls
 from understudy.network.evidence import LinkEvidence, Occurrence
 
-__all__ = ["Component", "Link", "LinkType", "Network", "ParameterValue"]
-
-ParameterValue = str | float
+__all__ = [
+    "Case",
+    "Component",
+    "Link",
+    "LinkType",
+    "Nab",
+    "Network",
+    "ParameterValue",
+]
 
 
 class LinkType(StrEnum):
@@ -41,12 +53,69 @@ class Component:
         behavior: the name of the skill, ``Track``; in networks learned from plain interval documents, any label.
         parameters: the skill's parameters by name; missing ones take the skill's defaults.
         occurrences: where it was seen in demonstrations.
+        until: it counts as achieved as soon as this is so, too (do-until, §4.6).
+        timeout: what happens if it takes too long.
+        trigger: it is a duty beside the sequence.
     """
 
     id: str
     behavior: str
     parameters: Mapping[str, ParameterValue] = field(default_factory=lambda: MappingProxyType({}))
     occurrences: tuple[Occurrence, ...] = ()
+    until: Condition | None = None
+    timeout: Timeout | None = None
+    trigger: Trigger | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Case:
+    """One of the networks that a NAB can be.
+
+    Attributes:
+        name: unique in its NAB; empty if there is only this one.
+        network: what is executed.
+        when: asked when the NAB begins; None is always so.
+    """
+
+    name: str = ""
+    network: "Network"
+    when: Condition | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Nab:
+    """A network abstract behavior: a whole network where a behavior can stand (§3.4).
+
+    It begins with the first case whose ``when`` is so; if none is, there is nothing to do, and its goal holds.
+
+    Attributes:
+        id: unique in its network.
+        cases: at least one.
+        switches: between the cases while they are executed.
+        repeat: its network is executed several times.
+        task: the name of the task that stands here, if it came from a document of its own.
+        until, timeout, trigger: as for :class:`Component`.
+    """
+
+    id: str
+    cases: tuple[Case, ...]
+    switches: tuple[Switch, ...] = ()
+    repeat: Repeat | None = None
+    task: str = ""
+    until: Condition | None = None
+    timeout: Timeout | None = None
+    trigger: Trigger | None = None
+
+    @classmethod
+    def of(cls, id_: str, network: "Network", *, repeat: Repeat | None = None, task: str = "") -> "Nab":
+        """A NAB that is one network."""
+        return cls(id=id_, cases=(Case(network=network),), repeat=repeat, task=task)
+
+    @property
+    def network(self) -> "Network":
+        """The network of a NAB that has only one."""
+        (case,) = self.cases
+        return case.network
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,42 +133,90 @@ class Network:
     """A directed acyclic graph of components. Checked when it is made; immutable afterwards.
 
     Attributes:
-        components: in document order, which settles every tie.
+        components: abstract behaviors and networks in their place, in document order, which settles every tie.
         links: at most one for each ordered pair.
         inhibitions: pairs ``(from, to)``: while the first executes, the second is inhibited (§3.2.1).
 
     Raises:
-        NetworkError: two components with one id, a link to nowhere, a link twice, a cycle.
+        NetworkError: two components with one id, a link to nowhere or across a NAB's border, a link twice, a cycle, a
+            case that can never be reached, a condition on what is not there.
     """
 
-    components: tuple[Component, ...]
+    components: tuple[Component | Nab, ...]
     links: tuple[Link, ...] = ()
     inhibitions: tuple[tuple[str, str], ...] = ()
 
     def __post_init__(self) -> None:
         ids: set[str] = set()
         for index, component in enumerate(self.components):
+            path = f"components[{index}].id"
             if component.id in ids:
+                raise NetworkError(f"the id {component.id!r} is used twice; every component needs its own", path=path)
+            if "/" in component.id:
                 raise NetworkError(
-                    f"the id {component.id!r} is used twice; every component needs its own",
-                    path=f"components[{index}].id",
+                    f"the id {component.id!r} has a '/' in it, which stands between the parts of a path; take another",
+                    path=path,
                 )
             ids.add(component.id)
         pairs: set[tuple[str, str]] = set()
         for index, link in enumerate(self.links):
             pair = link.source, link.target
-            _check_ends(ids, *pair, "links", index)
+            self._check_ends(ids, *pair, "links", index)
             if pair in pairs:
                 raise NetworkError(
                     f"a second link from {link.source!r} to {link.target!r}; keep one of them", path=f"links[{index}]"
                 )
             pairs.add(pair)
         for index, (source, target) in enumerate(self.inhibitions):
-            _check_ends(ids, source, target, "inhibitions", index)
+            self._check_ends(ids, source, target, "inhibitions", index)
         _ = self.topological_order
+        for index, component in enumerate(self.components):
+            check_controls(component, self, f"components[{index}]")
+
+    def _check_ends(self, ids: Collection[str], source: str, target: str, field: str, index: int) -> None:
+        for end, id_ in (("from", source), ("to", target)):
+            if id_ not in ids:
+                path = f"{field}[{index}].{end}"
+                owner = next((path_.partition("/")[0] for path_, _ in self.walk() if id_ in _endings(path_)), None)
+                if owner is not None:
+                    raise NetworkError(
+                        f"{id_!r} is a part of {owner!r}, and a link does not cross the border of a network; link "
+                        f"{owner!r} itself, or put the link inside",
+                        path=path,
+                    )
+                known = ", ".join(sorted(ids)) or "none"
+                raise NetworkError(f"no component is called {id_!r}; there are: {known}", path=path)
+        if source == target:
+            raise NetworkError(f"{source!r} is linked to itself", path=f"{field}[{index}]")
+
+    def walk(self) -> Iterator[tuple[str, Component | Nab]]:
+        """Every component at every depth with its path, each NAB before its parts, in document order."""
+        for component in self.components:
+            yield component.id, component
+            if isinstance(component, Nab):
+                for case in component.cases:
+                    inside = "/".join(filter(None, (component.id, case.name)))
+                    for path, part in case.network.walk():
+                        yield f"{inside}/{path}", part
 
     @cached_property
-    def by_id(self) -> Mapping[str, Component]:
+    def by_path(self) -> Mapping[str, Component | Nab]:
+        """All components of the hierarchy by their paths."""
+        return dict(self.walk())
+
+    @cached_property
+    def flat(self) -> bool:
+        """Whether every component is an abstract behavior."""
+        return not any(isinstance(component, Nab) for component in self.components)
+
+    @property
+    def link_count(self) -> int:
+        """Of all links at every depth (§3.7 compares it)."""
+        inside = (case.network for part in self.components if isinstance(part, Nab) for case in part.cases)
+        return len(self.links) + sum(network.link_count for network in inside)
+
+    @cached_property
+    def by_id(self) -> Mapping[str, Component | Nab]:
         """The components by their ids."""
         return {component.id: component for component in self.components}
 
@@ -121,8 +238,12 @@ class Network:
 
     @cached_property
     def sinks(self) -> tuple[str, ...]:
-        """The components that no link leaves: the final goals, which ``Init`` asks for (§3.3.2)."""
-        return tuple(component.id for component in self.components if not self.outgoing[component.id])
+        """The components that no link leaves: the final goals, which ``Init`` asks for (§3.3.2). Duties are none."""
+        return tuple(
+            component.id
+            for component in self.components
+            if not self.outgoing[component.id] and component.trigger is None
+        )
 
     @cached_property
     def topological_order(self) -> tuple[str, ...]:
@@ -147,10 +268,7 @@ class Network:
         return tuple(order)
 
 
-def _check_ends(ids: Collection[str], source: str, target: str, field: str, index: int) -> None:
-    for end, id_ in (("from", source), ("to", target)):
-        if id_ not in ids:
-            known = ", ".join(sorted(ids)) or "none"
-            raise NetworkError(f"no component is called {id_!r}; there are: {known}", path=f"{field}[{index}].{end}")
-    if source == target:
-        raise NetworkError(f"{source!r} is linked to itself", path=f"{field}[{index}]")
+def _endings(path: str) -> Collection[str]:
+    """How somebody may have meant to name the component of a path from outside."""
+    inside = path.partition("/")[2]
+    return (path, inside, path.rpartition("/")[2]) if inside else ()

@@ -2,69 +2,22 @@
 
 import json
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
 import yaml
-from pydantic import Field, ValidationError
+from pydantic import ValidationError
 
-from understudy.documents import Name, Part, TextOrNumber, expect_kind, first_fault, read_data, write_new
+from understudy.documents import Name, expect_kind, first_fault, read_data, write_new
 from understudy.errors import NetworkError
-from understudy.network.definition import Component, Link, LinkType, Network
-from understudy.network.evidence import Interval, LinkEvidence, Occurrence
+from understudy.network.definition import Network
+from understudy.network.parts import NetworkPart
+from understudy.network.reading import network_of
+from understudy.network.writing import network_part
 
 __all__ = ["Task", "load_task", "parse_task", "save_task", "task_schema", "task_text"]
 
-Text = Annotated[str, Field(min_length=1, max_length=200)]
-Seconds = Annotated[float, Field(allow_inf_nan=False)]
-Span = tuple[Seconds, Seconds]
 
-
-class OccurrencePart(Part):
-    """Where a component was seen: in which demonstration, when, with which values, marked by which words."""
-
-    demonstration: Text
-    interval: Span
-    values: dict[str, float] = {}
-    cues: tuple[tuple[Seconds, str], ...] = ()
-    closest_s: Seconds | None = None
-
-
-class LinkEvidencePart(Part):
-    """What one demonstration says about a link: both intervals, and Allen's relation between them (Table 4.1)."""
-
-    demonstration: Text
-    from_interval: Span
-    to_interval: Span
-    relation: str
-    note: str = ""
-
-
-class ComponentPart(Part):
-    """One use of a behavior: AB-Description of §3.4."""
-
-    id: Text
-    behavior: Text
-    parameters: dict[str, TextOrNumber] = {}
-    seen: tuple[OccurrencePart, ...] = ()
-
-
-class LinkPart(Part):
-    """One precondition: an entry of the Topology-Description of §3.4."""
-
-    source: Text = Field(alias="from")
-    target: Text = Field(alias="to")
-    type: LinkType
-    because: tuple[LinkEvidencePart, ...] = ()
-
-
-class InhibitionPart(Part):
-    """While ``from`` executes, ``to`` is inhibited (§3.2.1)."""
-
-    source: Text = Field(alias="from")
-    target: Text = Field(alias="to")
-
-
-class Task(Part):
+class Task(NetworkPart):
     """A task document.
 
     Attributes:
@@ -79,112 +32,58 @@ class Task(Part):
     understudy: Literal["task/1"] = "task/1"
     name: Name
     note: str = ""
-    components: Annotated[tuple[ComponentPart, ...], Field(min_length=1)]
-    links: tuple[LinkPart, ...] = ()
-    inhibitions: tuple[InhibitionPart, ...] = ()
 
     @classmethod
     def of(cls, name: str, network: Network, *, note: str = "") -> "Task":
-        """The document of a network.
+        """The document of a network. Tasks that stand in it are written out.
 
         Raises:
             NetworkError: the name, or an id, is none that a document can have: empty, or too long.
         """
         try:
-            return cls._of(name, network, note)
+            part = network_part(network)
+            return cls(name=name, note=note, components=part.components, links=part.links, inhibitions=part.inhibitions)
         except ValidationError as error:
             raise first_fault(error, f"the task {name!r:.60}", NetworkError) from None
-
-    @classmethod
-    def _of(cls, name: str, network: Network, note: str) -> "Task":
-        return cls(
-            name=name,
-            note=note,
-            components=tuple(
-                ComponentPart(
-                    id=component.id,
-                    behavior=component.behavior,
-                    parameters=dict(component.parameters),
-                    seen=tuple(
-                        OccurrencePart(
-                            demonstration=seen.demonstration,
-                            interval=tuple(seen.interval),
-                            values=dict(seen.values),
-                            cues=seen.cues,
-                            closest_s=seen.closest_s,
-                        )
-                        for seen in component.occurrences
-                    ),
-                )
-                for component in network.components
-            ),
-            links=tuple(
-                LinkPart(
-                    source=link.source,
-                    target=link.target,
-                    type=link.type,
-                    because=tuple(
-                        LinkEvidencePart(
-                            demonstration=evidence.demonstration,
-                            from_interval=tuple(evidence.source),
-                            to_interval=tuple(evidence.target),
-                            relation=evidence.relation,
-                            note=evidence.note,
-                        )
-                        for evidence in link.evidence
-                    ),
-                )
-                for link in network.links
-            ),
-            inhibitions=tuple(InhibitionPart(source=source, target=target) for source, target in network.inhibitions),
-        )
 
     def network(self, *, source: str = "") -> Network:
         """The network that the document describes.
 
+        Args:
+            source: the document's file; tasks that stand in it (``task: other.yaml``) are looked for beside it.
+
         Raises:
-            NetworkError: two components of one id, a link to nowhere, a circle.
+            NetworkError: two components of one id, a link to nowhere, a circle, a task that cannot be loaded.
         """
-        components = tuple(
-            Component(
-                id=part.id,
-                behavior=part.behavior,
-                parameters=part.parameters,
-                occurrences=tuple(
-                    Occurrence(
-                        demonstration=seen.demonstration,
-                        interval=Interval(*seen.interval),
-                        values=seen.values,
-                        cues=seen.cues,
-                        closest_s=seen.closest_s,
-                    )
-                    for seen in part.seen
-                ),
-            )
-            for part in self.components
-        )
-        links = tuple(
-            Link(
-                source=part.source,
-                target=part.target,
-                type=part.type,
-                evidence=tuple(
-                    LinkEvidence(
-                        demonstration=evidence.demonstration,
-                        source=Interval(*evidence.from_interval),
-                        target=Interval(*evidence.to_interval),
-                        relation=evidence.relation,
-                        note=evidence.note,
-                    )
-                    for evidence in part.because
-                ),
-            )
-            for part in self.links
-        )
+        return _network(self, source, ())
+
+
+def _network(task: Task, source: str, around: tuple[str, ...]) -> Network:
+    def fetch(name: str, path: str) -> tuple[str, Network]:
+        file = (Path(source).parent if source else Path()) / name
+        opened = (*around, str(Path(source).resolve()) if source else "")
+        if str(file.resolve()) in opened:
+            raise NetworkError(f"the task {name} stands in itself; take it out", path=path)
         try:
-            return Network(components, links, tuple((part.source, part.target) for part in self.inhibitions))
+            inner = _parsed(read_data(file, NetworkError), str(file))
+            return inner.name, _network(inner, str(file), opened)
         except NetworkError as error:
-            raise NetworkError(error.problem, source=source, path=error.path) from None
+            raise NetworkError(f"the task that stands here cannot be used: {error}", path=path) from None
+
+    try:
+        return network_of(task, fetch)
+    except NetworkError as error:
+        raise NetworkError(error.problem, source=source, path=error.path) from None
+
+
+def _parsed(data: Any, source: str) -> Task:
+    expect_kind(data, "task/1", source=source, kind=NetworkError)
+    try:
+        return Task.model_validate(data)
+    except ValidationError as error:
+        raise first_fault(error, source, NetworkError) from None
+    except RecursionError:
+        raise NetworkError("this is nested too deeply to be a task", source=source) from None
 
 
 def parse_task(data: Any, *, source: str = "") -> tuple[Task, Network]:
@@ -193,11 +92,7 @@ def parse_task(data: Any, *, source: str = "") -> tuple[Task, Network]:
     Raises:
         NetworkError: it is no task document; the message names the first problem and its place.
     """
-    expect_kind(data, "task/1", source=source, kind=NetworkError)
-    try:
-        task = Task.model_validate(data)
-    except ValidationError as error:
-        raise first_fault(error, source, NetworkError) from None
+    task = _parsed(data, source)
     return task, task.network(source=source)
 
 
@@ -212,7 +107,10 @@ def load_task(path: str | Path) -> tuple[Task, Network]:
 
 def task_text(task: Task) -> str:
     """A task document as YAML."""
-    data = {"understudy": task.understudy, **task.model_dump(mode="json", by_alias=True, exclude_defaults=True)}
+    written: dict[str, Any] = task.model_dump(mode="json", by_alias=True, exclude_defaults=True)
+    data: dict[str, Any] = {"understudy": task.understudy}
+    data |= {key: written.pop(key) for key in ("name", "note") if key in written}
+    data |= written
     text: str = yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=120, default_flow_style=None)
     return text
 
