@@ -1,14 +1,16 @@
 """Skills without a robot, for tests of the execution alone."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from random import Random
 
 from understudy.behaviors import Action, Actuator, Instance, Memory, Parameter, Parameters, Skill, SkillSet
 from understudy.execution import Program, compile_network
-from understudy.network import Link, LinkType, Network
+from understudy.network import Case, Component, Link, LinkType, Network
 from understudy.perception import Percepts
 
 from .reference import Behaviors
+from .strategies import SENSES
 
 __all__ = ["Stub", "closed", "compiled", "stub_skill"]
 
@@ -46,11 +48,12 @@ def stub_skill(name: str, actuators: frozenset[str] = frozenset(), maintaining: 
 
 def compiled(network: Network, behaviors: Behaviors) -> Program:
     """The program of a network whose behaviors are stubs."""
-    return compile_network(network, SkillSet(*(stub_skill(name, *rest) for name, rest in behaviors.items())))
+    known = {**dict.fromkeys(SENSES, (frozenset[str](), False)), **behaviors}
+    return compile_network(network, SkillSet(*(stub_skill(name, *rest) for name, rest in known.items())))
 
 
 def closed(network: Network) -> Network:
-    """The network with every implied ordering link stored (semantics §2)."""
+    """The network with every implied ordering link stored, at every depth (semantics §2)."""
     after: dict[str, set[str]] = {}
     for id_ in reversed(network.topological_order):
         after[id_] = set()
@@ -63,4 +66,12 @@ def closed(network: Network) -> Network:
         for target in sorted(after[source])
         if (source, target) not in linked
     ]
-    return Network(network.components, (*network.links, *implied), network.inhibitions)
+    components = tuple(
+        part if isinstance(part, Component) else replace(part, cases=tuple(map(_closed_case, part.cases)))
+        for part in network.components
+    )
+    return Network(components, (*network.links, *implied), network.inhibitions)
+
+
+def _closed_case(case: Case) -> Case:
+    return replace(case, network=closed(case.network))

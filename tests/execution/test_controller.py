@@ -170,9 +170,9 @@ def test_inhibition_is_told_with_the_rival_of_the_moment() -> None:
     )
     states = [(time_s, detail) for time_s, _, detail in told(ticks(running, 7), "c")]
     assert states == [
-        (0.0, {"state": "searching", "reason": "world"}),
+        (0.0, {"state": "searching", "reason": "locked", "by": "a"}),
         (0.1, {"state": "inhibited", "by": "a"}),
-        (0.3, {"state": "searching", "reason": "world"}),
+        (0.3, {"state": "searching", "reason": "locked", "by": "b"}),
         (0.4, {"state": "inhibited", "by": "b"}),
         (0.5, {"state": "searching", "reason": "world"}),
     ]

@@ -14,7 +14,7 @@ def patch(rgb: tuple[float, float, float]) -> np.ndarray[tuple[int, ...], np.dty
     return np.full((4, 4, 3), np.clip(np.round(rgb), 0, 255).astype(np.uint8), np.uint8)
 
 
-@given(st.sampled_from(list(Color)), st.floats(0.75, 1.0), st.tuples(*[st.floats(-6, 6)] * 3))
+@given(st.sampled_from(list(Color)), st.floats(0.80, 1.0), st.tuples(*[st.floats(-4, 4)] * 3))
 def test_a_paint_is_recognised_in_dimmer_light_and_with_noise(
     color: Color, light: float, noise: tuple[float, float, float]
 ) -> None:

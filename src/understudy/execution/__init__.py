@@ -1,6 +1,7 @@
 """Running a network: the compiled program, the context, the tick, the trace."""
 
 from understudy.execution.activation import Activation, Step
+from understudy.execution.conditions import Outside
 from understudy.execution.context import Context
 from understudy.execution.controller import Controller, Decision
 from understudy.execution.ports import Ports
@@ -16,6 +17,7 @@ __all__ = [
     "Decision",
     "Event",
     "Node",
+    "Outside",
     "Ports",
     "Program",
     "RunReport",

@@ -20,12 +20,22 @@ class Context:
 
     Attributes:
         tick: how many ticks have been made.
+        time_s: of the last one; None before the first.
         effects: for every node, the last value of its goal, the port ``Effects``.
         achieved: for every node, the latch of semantics §2.
         active: rows active in the previous tick, the port ``Active``.
-        executing: rows that executed in the previous tick, in the order in which they took their locks.
+        executing: rows of behaviors that executed in the previous tick, in the order in which they took their locks.
         inhibited: for every row inhibited now, the row that inhibits it.
         keep_on: rows whose primitive asserted ``Continue`` in the previous tick.
+        chosen: for every NAB that has been begun, its scope; -1 if no case fits and there is nothing to do.
+        begun: for every scope in use, when it was begun.
+        rounds: for every NAB that repeats, how many rounds are complete.
+        skipped: rows that ran out of time and are passed over.
+        timed_out: rows that ran out of time and have not been achieved since.
+        active_s: for every row with a timeout, for how long it has been active.
+        called: duties that are asked for now.
+        rung: duties whose condition was true in the previous tick.
+        due_s: for every periodic duty, when it is called next.
         memories: what primitives remember, by row.
         wander: what ``Wander`` remembers.
         random: the only source of chance (not looked at when contexts are compared).
@@ -38,10 +48,20 @@ class Context:
     achieved: list[bool]
     random: Random = field(compare=False)
     tick: int = 0
+    time_s: float | None = None
     active: frozenset[int] = frozenset()
     executing: tuple[int, ...] = ()
     inhibited: dict[int, int] = field(default_factory=dict)
     keep_on: frozenset[int] = frozenset()
+    chosen: dict[int, int] = field(default_factory=dict)
+    begun: dict[int, float] = field(default_factory=dict)
+    rounds: dict[int, int] = field(default_factory=dict)
+    skipped: set[int] = field(default_factory=set)
+    timed_out: set[int] = field(default_factory=set)
+    active_s: dict[int, float] = field(default_factory=dict)
+    called: set[int] = field(default_factory=set)
+    rung: set[int] = field(default_factory=set)
+    due_s: dict[int, float] = field(default_factory=dict)
     memories: dict[int, Memory] = field(default_factory=dict)
     wander: Memory = field(default_factory=dict)
     told: dict[int, Told] = field(default_factory=dict)
@@ -53,3 +73,27 @@ class Context:
         """The state before the first tick: nothing achieved, nothing active."""
         count = len(program.nodes)
         return cls(effects=[False] * count, achieved=[False] * count, random=Random(seed))
+
+    def forget(self, program: Program, nab: int) -> None:
+        """A NAB is begun anew: what it contains has not been achieved, and has no past (semantics §3)."""
+        inside = range(nab + 1, max(program.scopes[scope].end for scope in program.nodes[nab].scopes))
+        scopes = {scope for row in (nab, *inside) for scope in program.nodes[row].scopes}
+        for row in inside:
+            self.achieved[row] = False
+            if program.nodes[row].scopes:
+                self.effects[row] = False
+            self._forget_times(row)
+            self.rounds.pop(row, None)
+            self.chosen.pop(row, None)
+            self.memories.pop(row, None)
+        self.active -= frozenset(inside)
+        self.executing = tuple(row for row in self.executing if row not in inside)
+        self.keep_on -= frozenset(inside)
+        for scope in scopes:
+            self.begun.pop(scope, None)
+
+    def _forget_times(self, row: int) -> None:
+        for rows in (self.skipped, self.timed_out, self.called, self.rung):
+            rows.discard(row)
+        self.active_s.pop(row, None)
+        self.due_s.pop(row, None)

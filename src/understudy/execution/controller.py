@@ -1,16 +1,18 @@
 """One tick of a running task, from percepts to the command (semantics §3)."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from understudy.behaviors import Action, Actuator, Motion, Skill, Wander
-from understudy.execution.activation import Activation, Step
-from understudy.execution.context import Context, Told
+from understudy.execution.activation import NOTHING, Activation, Step
+from understudy.execution.conditions import Outside
+from understudy.execution.context import Context
 from understudy.execution.ports import Ports
 from understudy.execution.program import Program, compile_network
-from understudy.execution.trace import Event, State
-from understudy.network import Network
+from understudy.execution.states import state_of
+from understudy.execution.trace import Event
+from understudy.network import Holds, Network, Possible
 from understudy.perception import Percepts
 from understudy.robot import Command, RobotSpec
 
@@ -26,12 +28,14 @@ class Decision:
         events: what changed.
         step: the activation, by rows of the program.
         complete: every final goal is achieved, and no primitive asks to go on.
+        stopped: the path of a component that ran out of time and ends the run; empty if none does.
     """
 
     command: Command
     events: tuple[Event, ...]
     step: Step
     complete: bool
+    stopped: str = ""
 
 
 class Controller:
@@ -51,43 +55,59 @@ class Controller:
         self.motion = Motion(spec)
         self.wander = Wander()
 
-    def tick(self, percepts: Percepts) -> Decision:
-        """Steps 1 to 8 for one observation's percepts."""
-        nodes, context = self.program.nodes, self.context
-        before = list(context.effects)
-        purposeful = frozenset(context.executing)
-        effects = [node.skill.abstract.goal(percepts, node.parameters) for node in nodes]
-        step = self.activation.decide(
-            effects, lambda row: nodes[row].skill.abstract.precondition(percepts, nodes[row].parameters)
-        )
-        events = self._changes(percepts.time_s, before, purposeful, step)
+    def tick(self, percepts: Percepts, events: Collection[str] = ()) -> Decision:
+        """Steps 1 to 8 for one observation's percepts.
+
+        Args:
+            percepts: of the observation.
+            events: what reached the robot from outside since the last tick.
+        """
+        context = self.context
+        purposeful = self._busy()
+        chosen = dict(context.chosen)
+
+        def senses(condition: Holds | Possible) -> bool:
+            skill, parameters = self.program.senses[str(condition)]
+            ask = skill.abstract.goal if isinstance(condition, Holds) else skill.abstract.precondition
+            return ask(percepts, parameters)
+
+        def precondition(row: int) -> bool:
+            node = self.program.nodes[row]
+            return node.skill is not None and node.skill.abstract.precondition(percepts, node.parameters)
+
+        outside = Outside(time_s=percepts.time_s, events=frozenset(events), senses=senses)
+        step = self.activation.decide(self._goals(percepts), precondition, outside)
+        told = [Event(time_s=percepts.time_s, kind="event", detail={"name": name}) for name in sorted(events)]
+        told += self._changes(percepts.time_s, purposeful, step)
         command, overridden = self._act(percepts, step)
         self.activation.commit(step)
+        told += self._beginnings(percepts.time_s, chosen, step)
         if overridden is not context.avoiding:
-            events.append(Event(time_s=percepts.time_s, kind="avoid", detail={"on": overridden}))
+            told.append(Event(time_s=percepts.time_s, kind="avoid", detail={"on": overridden}))
             context.avoiding = overridden
         complete = step.complete and not context.keep_on
         if complete and not context.completed:
-            events.append(Event(time_s=percepts.time_s, kind="complete"))
+            told.append(Event(time_s=percepts.time_s, kind="complete"))
             context.completed = True
-        return Decision(command=command, events=tuple(events), step=step, complete=complete)
+        stopped = self.program.nodes[step.stopped].id if step.stopped is not None else ""
+        return Decision(command=command, events=tuple(told), step=step, complete=complete, stopped=stopped)
 
     def resume(self, context: Context) -> None:
         """Goes on from a context of the same program, saved after a tick."""
         self.context = context
         self.activation = Activation(self.program, context)
 
-    def ports(self, id_: str) -> Ports:
+    def ports(self, path: str) -> Ports:
         """The ports of a component after the last tick (§3.2.1).
 
         Raises:
-            KeyError: no component has this id.
+            KeyError: no component has this path.
         """
         context, activation = self.context, self.activation
-        row = self.program.rows[id_]
+        row = self.program.rows[path]
         incoming = self.program.incoming[row]
         return Ports(
-            use_behavior=True,
+            use_behavior=activation.enabled[self.program.nodes[row].scope],
             activ_level=activation.levels[row],
             inhibit=row in context.inhibited,
             preconditions={self.program.nodes[arc.source].id: activation.satisfied[arc.row] for arc in incoming},
@@ -95,6 +115,21 @@ class Controller:
             active=row in context.active,
             effects=context.effects[row],
         )
+
+    def _goals(self, percepts: Percepts) -> list[bool]:
+        """What the goals of the behaviors that are used say now; of all others, what they said last."""
+        nodes, effects = self.program.nodes, self.context.effects.copy()
+        for row in self.activation.readable:
+            node = nodes[row]
+            effects[row] = node.skill.abstract.goal(percepts, node.parameters)  # type: ignore[union-attr]  # a behavior
+        return effects
+
+    def _busy(self) -> frozenset[int]:
+        """Who executed in the last tick, and the NABs of which that is a part."""
+        executing = self.context.executing
+        if not self.program.nabs:
+            return frozenset(executing)
+        return frozenset(executing).union(*map(self.program.ancestors, executing))
 
     def _act(self, percepts: Percepts, step: Step) -> tuple[Command, bool]:
         """Step 7: the primitives of executing components, ``Wander`` when the wheels are free, ``Avoid`` over all."""
@@ -105,6 +140,7 @@ class Controller:
         context.memories = {row: context.memories.get(row, {}) for row in step.executing}
         for row in step.executing:
             node = nodes[row]
+            assert node.skill is not None
             action, context.memories[row] = node.skill.primitive.step(
                 percepts, node.parameters, context.memories[row], context.random
             )
@@ -112,7 +148,8 @@ class Controller:
             wheels_taken = wheels_taken or Actuator.WHEELS in node.actuators
             if action.keep_on:
                 keep_on.add(row)
-        context.keep_on = frozenset(keep_on)
+        if keep_on or context.keep_on:
+            context.keep_on = frozenset(keep_on)
         if not wheels_taken and not step.complete:
             action, context.wander = self.wander.step(percepts, context.wander, context.random)
             actions.append(action)
@@ -120,38 +157,47 @@ class Controller:
             context.wander = {}
         return self.motion.command(actions, percepts)
 
-    def _changes(self, time_s: float, before: list[bool], purposeful: frozenset[int], step: Step) -> list[Event]:
+    def _changes(self, time_s: float, purposeful: frozenset[int], step: Step) -> list[Event]:
         nodes, context = self.program.nodes, self.context
         events: list[Event] = []
-        for row, value in enumerate(context.effects):
-            if value is not before[row]:
-                events.append(Event(time_s=time_s, kind="goal", component=nodes[row].id, detail={"holds": value}))
+
+        def tell(kind: str, row: int, **detail: Any) -> None:
+            events.append(Event(time_s=time_s, kind=kind, component=nodes[row].id, detail=detail))
+
+        for row in step.timed_out:
+            timeout = nodes[row].timeout
+            assert timeout is not None
+            tell("timeout", row, then=timeout.then, **({"event": timeout.event} if timeout.event else {}))
+        for row in step.changed:
+            tell("goal", row, holds=context.effects[row])
+        for row in step.called:
+            tell("called", row)
         for row in step.achieved:
             # Reached by the robot's own doing, and not just found true: the beep of A.4.
-            detail: dict[str, Any] = {"on_purpose": row in purposeful}
-            events.append(Event(time_s=time_s, kind="achieved", component=nodes[row].id, detail=detail))
+            tell("achieved", row, on_purpose=row in purposeful)
         for row in sorted(step.touched):
-            state = self._state(row, step)
-            if state != context.told.get(row):
+            state = state_of(row, step, self.activation)
+            if state != context.told.get(row, (None, {})):
                 context.told[row] = state
-                detail = {"state": state[0].value, **state[1]}
-                events.append(Event(time_s=time_s, kind="state", component=nodes[row].id, detail=detail))
+                tell("state", row, state=state[0].value, **state[1])
         return events
 
-    def _state(self, row: int, step: Step) -> Told:
-        """A component's state, the first condition that decides it, and all ``also`` missing ones."""
-        nodes, activation = self.program.nodes, self.activation
-        if row in step.active:
-            if row in step.executing:
-                return State.EXECUTING, {}
-            if row in step.locked:
-                return State.SEARCHING, {"reason": "locked", "by": nodes[step.locked[row]].id}
-            return State.SEARCHING, {"reason": "world"}
-        if activation.levels[row] == 0:
-            return State.ACHIEVED, {}
-        missing = [{"reason": arc.type.value, "for": nodes[arc.source].id} for arc in activation.refusals(row)]
-        if row in self.context.inhibited:
-            by: dict[str, Any] = {"by": nodes[self.context.inhibited[row]].id}
-            return State.INHIBITED, by | ({"also": missing} if missing else {})
-        first, *others = missing
-        return State.WAITING, first | ({"also": others} if others else {})
+    def _beginnings(self, time_s: float, before: Mapping[int, int], step: Step) -> list[Event]:
+        """Which networks begin now, or begin anew."""
+        program, context = self.program, self.context
+        events = []
+        fresh = {start.nab: start for start in step.begun_anew}
+        for nab in program.nabs:
+            node, number = program.nodes[nab], context.chosen.get(nab)
+            name = program.scopes[number].name if number is not None and number != NOTHING else None
+            if nab in fresh and fresh[nab].switched_to is not None:
+                detail: dict[str, Any] = {"to": name}
+                events.append(Event(time_s=time_s, kind="switch", component=node.id, detail=detail))
+                continue
+            if nab in fresh:
+                detail = {"number": context.rounds[nab] + 1}
+                events.append(Event(time_s=time_s, kind="round", component=node.id, detail=detail))
+            several = len(node.scopes) > 1 or node.cases[0] is not None
+            if several and number is not None and (nab in fresh or before.get(nab) is None):
+                events.append(Event(time_s=time_s, kind="case", component=node.id, detail={"case": name}))
+        return events

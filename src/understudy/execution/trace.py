@@ -21,6 +21,12 @@ class State(StrEnum):
     EXECUTING = "executing"
     ACHIEVED = "achieved"
     """Achieved, and nobody needs it now."""
+    SKIPPED = "skipped"
+    """It ran out of time, and is passed over."""
+    RESTING = "resting"
+    """A duty that is not called now."""
+    UNUSED = "unused"
+    """A part of a network that is not in use now, and not achieved."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,9 +36,11 @@ class Event:
     Attributes:
         time_s: of the observation that brought it about.
         kind: ``state`` (a component's state, with reasons), ``goal`` (its goal came true, or ceased to be),
-            ``achieved`` (``on_purpose``: by the robot's own doing, the beep of A.4), ``avoid``, ``complete``,
-            ``stopped``.
-        component: its id, where it is about one.
+            ``achieved`` (``on_purpose``: by the robot's own doing, the beep of A.4), ``timeout`` (and what follows,
+            ``then``), ``called`` (a duty), ``case`` (the case with which a NAB begins), ``switch`` (``to`` another
+            case), ``round`` (a loop begins its ``number``-th), ``event`` (heard of from outside), ``avoid``,
+            ``complete``, ``stopped``.
+        component: its path, where it is about one.
         detail: what else belongs to it, plain data: the new state, the reason of a refusal, the component in the way.
     """
 

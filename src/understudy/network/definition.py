@@ -238,11 +238,12 @@ class Network:
 
     @cached_property
     def sinks(self) -> tuple[str, ...]:
-        """The components that no link leaves: the final goals, which ``Init`` asks for (§3.3.2). Duties are none."""
+        """The final goals, which ``Init`` asks for (§3.3.2): nothing but a duty waits for them, and they are none."""
+        duties = {component.id for component in self.components if component.trigger is not None}
         return tuple(
             component.id
             for component in self.components
-            if not self.outgoing[component.id] and component.trigger is None
+            if component.id not in duties and all(link.target in duties for link in self.outgoing[component.id])
         )
 
     @cached_property
