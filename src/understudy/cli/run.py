@@ -8,6 +8,7 @@ import typer
 
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
+from understudy.cli.tasks import find_task
 from understudy.cli.worlds import find_world
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ __all__ = ["command"]
 
 
 def command(
-    task: Annotated[Path, typer.Argument(help="A task document.")],
+    task: Annotated[Path, typer.Argument(help="A task document, or a bundled task by its name.")],
     world: Annotated[str, typer.Option("--world", "-w", help="A world document, or a bundled one.")],
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     seed: Seed = None,
@@ -41,6 +42,7 @@ def command(
     from understudy.sessions import Workspace, perform  # noqa: PLC0415
     from understudy.sim import rearranged  # noqa: PLC0415
 
+    task = find_task(task)
     document, network = load_task(task)
     skills = installed_skills()
     compile_network(network, skills, source=str(task))  # what does not fit is refused with the file's name

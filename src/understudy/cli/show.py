@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from understudy.cli.options import Json
+from understudy.cli.tasks import find_task
 
 if TYPE_CHECKING:
     from understudy.network import Network
@@ -29,7 +30,7 @@ _Picture = Annotated[
 
 
 def command(
-    source: Annotated[Path, typer.Argument(help="A task document, or a recording (.mcap).")],
+    source: Annotated[Path, typer.Argument(help="A task document, a bundled task, or a recording (.mcap).")],
     picture: _Picture = None,
     dot: Annotated[bool, typer.Option("--dot", help="Print the task's network as Graphviz DOT.")] = False,
     as_json: Json = False,
@@ -63,7 +64,7 @@ def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
     from understudy.figures import describe_task, to_dot  # noqa: PLC0415
     from understudy.network import load_task  # noqa: PLC0415
 
-    task, network = load_task(source)
+    task, network = load_task(find_task(source))
     skills = installed_skills()
     if dot:
         typer.echo(to_dot(network, name=task.name), nl=False)

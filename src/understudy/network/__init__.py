@@ -1,5 +1,6 @@
 """Behavior networks as definitions: components, links, control structures, evidence, the document."""
 
+from understudy.network.bundled import task_names, task_path
 from understudy.network.conditions import (
     Achieved,
     After,
@@ -50,6 +51,8 @@ __all__ = [
     "load_task",
     "parse_task",
     "save_task",
+    "task_names",
+    "task_path",
     "task_schema",
     "task_text",
 ]
