@@ -119,6 +119,7 @@ class Program:
         scopes: the networks, the whole task first.
         arcs: one a link.
         incoming, outgoing: for every node, the arcs that end and begin there.
+        watching: of the outgoing ones, those that look at the node's effects: all but ordering links.
         rivals: for every node, the nodes that it inhibits while it executes.
         followers: for every node, how many nodes of its network come after it on any path (duties do not count), at
             least 1, and the same of the NAB in which it stands.
@@ -133,6 +134,7 @@ class Program:
     arcs: tuple[Arc, ...]
     incoming: tuple[tuple[Arc, ...], ...]
     outgoing: tuple[tuple[Arc, ...], ...]
+    watching: tuple[tuple[Arc, ...], ...]
     rivals: tuple[tuple[int, ...], ...]
     followers: tuple[int, ...]
     nabs: tuple[int, ...]
@@ -295,6 +297,7 @@ class _Compiler:
             arcs=arcs,
             incoming=tuple(map(tuple, incoming)),
             outgoing=tuple(map(tuple, outgoing)),
+            watching=tuple(tuple(arc for arc in arcs if arc.type is not LinkType.ORDERING) for arcs in outgoing),
             rivals=tuple(tuple(self.rivals.get(row, ())) for row in range(len(nodes))),
             followers=tuple(self.followers),
             nabs=tuple(node.row for node in nodes if node.scopes),
