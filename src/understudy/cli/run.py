@@ -81,7 +81,9 @@ def command(
         else:
             missing = [c.id for c in network.components if c.id not in reached]
             left = f"missing: {', '.join(missing)}" if missing else "the last step was still being finished"
-            typer.echo(f"Not done: {performed.report.ending} of {limit:g} s; {left}")
+            stopped_by = performed.report.stopped_by
+            why = f"{stopped_by} ran out of time" if stopped_by else f"time limit of {limit:g} s"
+            typer.echo(f"Not done: {why}; {left}")
         if not performed.verdict.clean:
             hits = ", ".join(f"{count} × {what}" for what, count in performed.verdict.collisions.items())
             typer.echo(f"The robot bumped into things: {hits}")

@@ -21,17 +21,19 @@ class RunReport:
 
     Attributes:
         done: every final goal was achieved.
-        ending: why the run ended.
+        ending: why the run ended: ``complete``, ``time limit``, or ``timeout`` of a component that stops the run then.
+        stopped_by: the path of that component; empty if there is none.
         duration_s: on the robot's clock.
         achieved: components with the moments at which they were achieved, in that order.
         events: the whole trace.
     """
 
     done: bool
-    ending: Literal["complete", "time limit"]
+    ending: Literal["complete", "time limit", "timeout"]
     duration_s: float
     achieved: tuple[tuple[str, float], ...]
     events: tuple[Event, ...]
+    stopped_by: str = ""
 
 
 def run_network(
@@ -66,33 +68,40 @@ def run_network(
     begun_s: float | None = None
     now_s = 0.0
     done = False
+    stopped_by = ""
+
+    def tell(event: Event) -> None:
+        events.append(event)
+        journal.event(event.as_record())
 
     def decide(observation: Observation) -> Command | None:
-        nonlocal begun_s, now_s, done
+        nonlocal begun_s, now_s, done, stopped_by
         begun_s = observation.time_s if begun_s is None else begun_s
         now_s = observation.time_s
         percepts = perception.update(observation)
         decision = controller.tick(percepts)
         for event in decision.events:
-            events.append(event)
-            journal.event(event.as_record())
+            tell(event)
         if watch is not None:
             watch(percepts, decision)
         done = decision.complete
         if done:
             return None
+        stopped_by = decision.stopped
+        if stopped_by:
+            tell(Event(time_s=now_s, kind="stopped", detail={"reason": f"{stopped_by} ran out of time"}))
+            return None
         if now_s - begun_s >= limit_s:
-            event = Event(time_s=now_s, kind="stopped", detail={"reason": f"the time limit of {limit_s:g} s"})
-            events.append(event)
-            journal.event(event.as_record())
+            tell(Event(time_s=now_s, kind="stopped", detail={"reason": f"the time limit of {limit_s:g} s"}))
             return None
         return decision.command
 
     control(robot, decide, journal, period_s=CONTROL_PERIOD_S)
     return RunReport(
         done=done,
-        ending="complete" if done else "time limit",
+        ending="complete" if done else "timeout" if stopped_by else "time limit",
         duration_s=now_s - (begun_s or 0.0),
         achieved=tuple((event.component, event.time_s) for event in events if event.kind == "achieved"),
         events=tuple(events),
+        stopped_by=stopped_by,
     )
