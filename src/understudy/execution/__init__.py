@@ -1,9 +1,12 @@
 """Running a network: the compiled program, the context, the tick, the trace."""
 
 from understudy.execution.activation import Activation, Step
+from understudy.execution.causes import Cause
 from understudy.execution.conditions import Outside
 from understudy.execution.context import Context
 from understudy.execution.controller import Controller, Decision
+from understudy.execution.explanation import Explanation, Missing, explain
+from understudy.execution.history import History, StateChange
 from understudy.execution.ports import Ports
 from understudy.execution.program import Arc, Node, Program, compile_network
 from understudy.execution.run import RunReport, run_network
@@ -12,17 +15,23 @@ from understudy.execution.trace import Event, State
 __all__ = [
     "Activation",
     "Arc",
+    "Cause",
     "Context",
     "Controller",
     "Decision",
     "Event",
+    "Explanation",
+    "History",
+    "Missing",
     "Node",
     "Outside",
     "Ports",
     "Program",
     "RunReport",
     "State",
+    "StateChange",
     "Step",
     "compile_network",
+    "explain",
     "run_network",
 ]

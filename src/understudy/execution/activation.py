@@ -536,6 +536,11 @@ class Activation:
         """The unsatisfied links of a node, in document order; all of them, not the first only."""
         return [arc for arc in self.program.incoming[row] if not self.satisfied[arc.row]]
 
+    @property
+    def asked(self) -> frozenset[int]:
+        """The rows that were asked for their world precondition in the last tick, since their actuators were free."""
+        return self._asked
+
     def lock_of(self, row: int, step: Step) -> int | None:
         """Who holds an actuator that an active behavior needs; None if nobody else does."""
         owners = (step.owners.get(actuator) for actuator in self.program.nodes[row].actuators)

@@ -26,7 +26,8 @@ def state_of(row: int, step: Step, activation: Activation) -> Told:
         if row in step.executing:
             return State.EXECUTING, {}
         owner = activation.lock_of(row, step)
-        if owner is not None:
+        # Who was asked had its actuators free at its turn; another one took them only afterwards.
+        if owner is not None and row not in activation.asked:
             return State.SEARCHING, {"reason": "locked", "by": nodes[owner].id}
         return State.SEARCHING, {"reason": "world"}
     if row in context.skipped:

@@ -55,3 +55,18 @@ class Event:
         if self.component:
             record["component"] = self.component
         return record | dict(self.detail)
+
+    @classmethod
+    def from_record(cls, record: Mapping[str, Any]) -> "Event":
+        """The event that stands in a recording.
+
+        Raises:
+            KeyError: the record is none of an event: it has no time, or no kind.
+        """
+        detail = {key: value for key, value in record.items() if key not in ("time_s", "kind", "component")}
+        return cls(
+            time_s=float(record["time_s"]),
+            kind=str(record["kind"]),
+            component=str(record.get("component", "")),
+            detail=detail,
+        )

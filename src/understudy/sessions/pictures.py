@@ -104,7 +104,7 @@ def picture_recording(recording: Recording, world: World | None, network: Networ
         place = start.to_parent(origin.to_local(pose.position))
         way.append((time_s, place.x, place.y, start.heading + pose.heading - origin.heading))
     written: list[Path] = []
-    events = [_event(record) for record in recording.events()]
+    events = [Event.from_record(record) for record in recording.events()]
     ending = _ending(recording)
     if world is not None:
         marks = marks_of_run(events, network) if network else marks_of_cues(recording.cues())
@@ -149,13 +149,3 @@ def _ending(recording: Recording) -> str:
     else:
         return ""
     return f"{words[0].upper()}{words[1:]}. "
-
-
-def _event(record: Mapping[str, object]) -> Event:
-    detail = {key: value for key, value in record.items() if key not in ("time_s", "kind", "component")}
-    return Event(
-        time_s=float(str(record["time_s"])),
-        kind=str(record["kind"]),
-        component=str(record.get("component", "")),
-        detail=detail,
-    )
