@@ -16,6 +16,7 @@ from understudy.behaviors.skill import (
     Parameters,
     PrimitiveBehavior,
     Skill,
+    Worded,
 )
 from understudy.behaviors.wander import Wander
 
@@ -38,6 +39,7 @@ __all__ = [
     "Skill",
     "SkillSet",
     "Wander",
+    "Worded",
     "installed_skills",
     "unknown_skill",
 ]

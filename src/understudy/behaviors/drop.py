@@ -31,6 +31,12 @@ class AbstractDrop:
     def describe(self, parameters: Parameters) -> str:
         return "drop what the gripper holds"
 
+    def holding(self, parameters: Parameters) -> str:
+        return "the gripper is empty"
+
+    def possible(self, parameters: Parameters) -> str:
+        return "the gripper is there"
+
 
 class PrimitiveDrop:
     """Lowers, opens, backs off while turning so as not to grab it again, closes and lifts (A.4)."""

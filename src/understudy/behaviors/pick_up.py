@@ -47,6 +47,12 @@ class AbstractPickUp:
     def describe(self, parameters: Parameters) -> str:
         return f"pick up the {parameters['color']} box"
 
+    def holding(self, parameters: Parameters) -> str:
+        return f"the {parameters['color']} box is in the gripper"
+
+    def possible(self, parameters: Parameters) -> str:
+        return f"the {parameters['color']} box is in sight or remembered"
+
 
 class PrimitivePickUp:
     """Aligns with the box, drives it in between the open paddles, closes, lifts.

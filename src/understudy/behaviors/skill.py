@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from random import Random
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 
 from understudy.errors import SkillError
 from understudy.geometry import Point
@@ -27,6 +27,7 @@ __all__ = [
     "Parameters",
     "PrimitiveBehavior",
     "Skill",
+    "Worded",
 ]
 
 Parameters = Mapping[str, Any]
@@ -169,6 +170,22 @@ class AbstractBehavior(Protocol):
 
     def describe(self, parameters: Parameters) -> str:
         """The goal in plain words, as a step of a task: ``go to the green target``."""
+        ...
+
+
+@runtime_checkable
+class Worded(Protocol):
+    """What an abstract behavior may know besides: words for conditions that ask for it. Both read as something that is so.
+
+    Without them, people are told the goal.
+    """
+
+    def holding(self, parameters: Parameters) -> str:
+        """That its goal holds: ``the orange box is in the gripper``."""
+        ...
+
+    def possible(self, parameters: Parameters) -> str:
+        """That its world precondition holds: ``the orange box is in sight or remembered``."""
         ...
 
 

@@ -59,6 +59,14 @@ class AbstractTrack:
             where = f"until it is {parameters['distance_m']:.2f} m ahead"
         return f"go to the {parameters['color']} target, {where}"
 
+    def holding(self, parameters: Parameters) -> str:
+        angle = parameters["angle_deg"]
+        where = "to the left" if angle >= 135 else "to the right" if angle <= 45 else "ahead"
+        return f"the {parameters['color']} target is {parameters['distance_m']:.2f} m {where}"
+
+    def possible(self, parameters: Parameters) -> str:
+        return f"the {parameters['color']} target is in sight or remembered"
+
 
 def _evaluable(thing: Thing) -> bool:
     """Found by the camera, sensed now, within the laser's half circle and the distances that the skill can hold."""

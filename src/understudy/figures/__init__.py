@@ -15,13 +15,17 @@ if TYPE_CHECKING:
     from understudy.figures.saving import save
     from understudy.figures.timeline import draw_observations
     from understudy.figures.trajectories import Mark, Trajectory, marks_of_cues, marks_of_run
-    from understudy.figures.words import describe_lesson, describe_task, goal_in_words
+    from understudy.figures.words import describe_task
+    from understudy.figures.words_conditions import condition_in_words
+    from understudy.figures.words_goals import goal_in_words
+    from understudy.figures.words_lesson import describe_lesson
 
 __all__ = [
     "Layout",
     "Mark",
     "Place",
     "Trajectory",
+    "condition_in_words",
     "describe_lesson",
     "describe_task",
     "draw_arena",
@@ -46,7 +50,10 @@ _HOMES = {
     "saving": ("save",),
     "timeline": ("draw_observations",),
     "trajectories": ("Mark", "Trajectory", "marks_of_cues", "marks_of_run"),
-    "words": ("describe_lesson", "describe_task", "goal_in_words"),
+    "words": ("describe_task",),
+    "words_conditions": ("condition_in_words",),
+    "words_goals": ("goal_in_words",),
+    "words_lesson": ("describe_lesson",),
 }
 
 

@@ -1,25 +1,26 @@
-"""A task in plain words, as one person tells it to another; and what was learned from a demonstration."""
+"""A task in plain words, as one person tells it to another."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from understudy.behaviors import Skill
-from understudy.errors import SkillError
-from understudy.figures.labels import clean, label_of
-from understudy.learning.construction import DECIMALS
-from understudy.learning.learner import Lesson
-from understudy.learning.observations import Observed
-from understudy.network import Component, LinkType, Nab, Network, ParameterValue
+from understudy.figures.labels import clean
+from understudy.figures.numbering import cases_of, duties_of, sequence_of
+from understudy.figures.words_controls import Wording, in_the_end
+from understudy.figures.words_goals import goal_in_words, listed
+from understudy.network import Component, LinkType, Nab, Network
 
-__all__ = ["describe_lesson", "describe_task", "goal_in_words"]
+__all__ = ["describe_task"]
 
 _EXPLAINED = "A step holds while what it achieved is still true. One that is needed and no longer holds is done again."
+_INDENT = "     "
 
 
 def describe_task(name: str, network: Network, skills: Mapping[str, Skill]) -> str:
     """Tell a task as numbered steps, with what they ask of each other.
 
-    Steps stand in the network's topological order. Nothing is said of the order where each step simply follows the one
-    before; steps without an order between them are said to be in any order.
+    Steps stand in the network's topological order, those of a network in a step's place below it, and duties after the
+    sequence. Nothing is said of the order where each step simply follows the one before; steps without an order between
+    them are said to be in any order.
 
     Args:
         name: of the task.
@@ -29,97 +30,144 @@ def describe_task(name: str, network: Network, skills: Mapping[str, Skill]) -> s
     Returns:
         Several lines without a newline at the end.
     """
-    order = network.topological_order
-    stages = _stages(network)
-    steps = f"{len(order)} step{'' if len(order) == 1 else 's'}"
-    free = len(stages) == 1 and len(order) > 1 and not network.links
-    lines = [f"{clean(name)}: {steps}{', in any order' if free else ''}", ""]
+    count = len(network.components)
+    steps = f"{count} step{'' if count == 1 else 's'}"
+    if not network.flat:
+        steps += f", of {sum(isinstance(part, Component) for _, part in network.walk())} in all"
     telling = _Telling(network, skills)
-    marked = False
-    for index, stage in enumerate(stages):
-        loose = len(stage) > 1
-        if loose and not free:
-            inside = any(link.source in stage and link.target in stage for link in network.links)
-            first = "then, " if index else ""
-            lines.append(f"     {first}{'in any order, except as noted:' if inside else 'in any order:'}")
-        elif marked:
-            lines.append("     then:")
-        marked = loose
-        for id_ in stage:
-            lines.append(f"{telling.number[id_]:3}. {telling.goal[id_]}")
-            lines += [f"       {condition}" for condition in telling.conditions(id_, stage if loose else ())]
-    if any(link.type is not LinkType.ORDERING for link in network.links):
+    free = telling.free(network)
+    lines = [f"{clean(name)}: {steps}{', in any order' if free else ''}", "", *telling.network(network, "", "")]
+    if _asks_for_holding(network):
         lines += ["", _EXPLAINED]
     return "\n".join(lines)
 
 
-def describe_lesson(lesson: Lesson, skills: Mapping[str, Skill]) -> str:
-    """Tell what was made of a demonstration: the observations that became steps, and those left out, with the reasons.
-
-    Args:
-        lesson: from :func:`understudy.learning.learn`.
-        skills: by name, for the words.
-
-    Returns:
-        Several lines without a newline at the end.
-    """
-    seen = len(lesson.kept) + len(lesson.dropped)
-    learned = f"{len(lesson.kept)} of {seen} observation{'' if seen == 1 else 's'} became steps"
-    lines = [f"{clean(lesson.demonstration)}: {learned}", ""]
-    rows = [(*_moment(observed), _goal_of(observed, skills), _cues(observed)) for observed in lesson.kept]
-    lines += [f"  {time}  {words}{cues}" for time, words, cues in _aligned(rows)]
-    if lesson.dropped:
-        lines += ["", "Left out:"]
-        rows = [
-            (*_moment(item.observed), _goal_of(item.observed, skills), f" – {clean(item.reason)}")
-            for item in lesson.dropped
-        ]
-        lines += [f"  {time}  {words}{reason}" for time, words, reason in _aligned(rows)]
-    if lesson.notes:
-        lines += ["", *(clean(note) for note in lesson.notes)]
-    return "\n".join(lines)
-
-
 class _Telling:
-    """The steps of one network with their numbers and words."""
+    """The steps of one task with their numbers and words."""
 
     def __init__(self, network: Network, skills: Mapping[str, Skill]) -> None:
-        self.network = network
-        self.number = {id_: index for index, id_ in enumerate(network.topological_order, start=1)}
-        self.goal = {component.id: goal_in_words(component, skills) for component in network.components}
+        self.wording = Wording(network, skills)
+        self.number = self.wording.numbers
+        self.goal = {path: goal_in_words(component, skills) for path, component in network.walk()}
 
-    def conditions(self, id_: str, stage: Sequence[str]) -> list[str]:
+    def free(self, network: Network) -> bool:
+        """Whether its steps are in any order, all of them."""
+        return len(sequence_of(network)) > 1 and not network.links and len(_stages(network)) == 1
+
+    def network(self, network: Network, inside: str, margin: str) -> list[str]:
+        """The lines of a network.
+
+        Args:
+            network: the task, or what stands in a component's place.
+            inside: what the paths of its components begin with.
+            margin: before every line.
+        """
+        lines: list[str] = []
+        marked = False
+        for index, stage in enumerate(_stages(network)):
+            loose = len(stage) > 1
+            if loose and not self.free(network):
+                inner = any(link.source in stage and link.target in stage for link in network.links)
+                first = "then, " if index else ""
+                lines.append(f"{margin}{_INDENT}{first}in any order{', except as noted' if inner else ''}:")
+            elif marked:
+                lines.append(f"{margin}{_INDENT}then:")
+            marked = loose
+            for id_ in stage:
+                lines += self._step(network, id_, stage if loose else (), inside, margin)
+        if duties := duties_of(network):
+            lines.append(f"{margin}{_INDENT}beside that:")
+            for id_ in duties:
+                lines += self._step(network, id_, network.topological_order, inside, margin)
+        return lines
+
+    def _step(self, network: Network, id_: str, stage: Sequence[str], inside: str, margin: str) -> list[str]:
+        path, component = inside + id_, network.by_id[id_]
+        called = f"{self.wording.calls(component, inside)}: " if component.trigger is not None else ""
+        goal, below = self.goal[path], ""
+        lines = []
+        if isinstance(component, Nab):
+            if component.repeat is not None:
+                below = f", {self.wording.rounds(component.repeat, inside)}"
+            (first, *others) = component.cases
+            free = not others and first.when is None and self.free(first.network)
+            below += ", in any order:" if free else ":"
+            lines = self._inside(path, component, inside, margin + _INDENT)
+        number = f"{margin}{self.number[path]:>3}. "
+        return [
+            f"{number}{called}{goal}{below}",
+            *(f"{' ' * len(number)}  {line}" for line in self._asked(network, id_, stage, inside)),
+            *lines,
+        ]
+
+    def _inside(self, path: str, nab: Nab, outside: str, margin: str) -> list[str]:
+        """What stands in a step's place."""
+        lines: list[str] = []
+        for index, (inside, letter, case) in enumerate(cases_of(path, nab)):
+            choice = self.wording.choice(nab, index, outside)
+            if choice or case.name:
+                which = f"case {letter} ({clean(case.name)})" if letter else clean(case.name)
+                free = ", in any order" if self.free(case.network) else ""
+                lines.append(f"{margin}{', '.join(filter(None, (which, choice)))}{free}:")
+            lines += self.network(case.network, inside, margin)
+        if all(case.when is not None for case in nab.cases):
+            lines.append(f"{margin}otherwise there is nothing to do")
+        letters = {case.name: letter for _, letter, case in cases_of(path, nab)}
+        for source, target, when in self.wording.switches(path, nab):
+            again = "begin it anew" if source == target else f"go over to case {letters[target]}"
+            where = f"in case {letters[source]}, " if letters[source] else ""
+            lines.append(f"{margin}{where}{when}: {again}")
+        return lines
+
+    def _asked(self, network: Network, id_: str, stage: Sequence[str], inside: str) -> list[str]:
         """What a step asks of others; the order only within its stage, and only if nothing else says it."""
-        sources = {
-            kind: sorted(
-                (link.source for link in self.network.incoming[id_] if link.type is kind), key=self.number.__getitem__
-            )
-            for kind in LinkType
-        }
+        component = network.by_id[id_]
+        sources = {kind: [link.source for link in network.incoming[id_] if link.type is kind] for kind in LinkType}
         told = []
         if after := [source for source in sources[LinkType.ORDERING] if source in stage]:
-            told.append(f"after {self._steps(after, id_)}")
+            told.append(f"after {self._steps(after, id_, inside)}")
         if enabling := sources[LinkType.ENABLING]:
-            told.append(f"start while {self._steps(enabling, id_)} still hold{'s' if len(enabling) == 1 else ''}")
+            holds = "holds" if len(enabling) == 1 else "hold"
+            told.append(f"start while {self._steps(enabling, id_, inside)} still {holds}")
         if permanent := sources[LinkType.PERMANENT]:
-            told.append(f"{self._steps(permanent, id_)} must hold all the while")
+            told.append(f"{self._steps(permanent, id_, inside)} must hold all the while")
+        if rivals := [rival for rival, held in network.inhibitions if held == id_]:
+            told.append(f"keep still while {self._steps(rivals, id_, inside, last='or')} is under way")
+        if component.until is not None:
+            told.append(f"done, too, as soon as {self.wording.condition(component.until, inside)}")
+        if component.timeout is not None:
+            told.append(f"after {component.timeout.seconds:g} s without success: {in_the_end(component.timeout)}")
         return told
 
-    def _steps(self, ids: Sequence[str], seen_from: str) -> str:
+    def _steps(self, ids: Sequence[str], seen_from: str, inside: str, *, last: str = "and") -> str:
         """``step 3 (pick up the orange box) and step 4``; the step just before and many need no reminder."""
+        ids = sorted(ids, key=lambda id_: self._index(inside + id_))
         if len(ids) > 2:
-            return f"steps {_listed([str(self.number[id_]) for id_ in ids])}"
+            return f"steps {listed([self.number[inside + id_] for id_ in ids], last)}"
         named = []
         for id_ in ids:
-            before = self.number[seen_from] - self.number[id_] == 1
-            short = self.goal[id_].split(",")[0]
-            named.append(f"step {self.number[id_]}" + ("" if before else f" ({short})"))
-        return _listed(named)
+            before = self._index(inside + seen_from) - self._index(inside + id_) == 1
+            short = self.goal[inside + id_].split(",")[0]
+            named.append(f"step {self.number[inside + id_]}" + ("" if before else f" ({short})"))
+        return listed(named, last)
+
+    def _index(self, path: str) -> int:
+        """Which step of its own network it is."""
+        return int(self.number[path].rpartition(".")[2])
+
+
+def _asks_for_holding(network: Network) -> bool:
+    return any(link.type is not LinkType.ORDERING for link in network.links) or any(
+        _asks_for_holding(case.network)
+        for component in network.components
+        if isinstance(component, Nab)
+        for case in component.cases
+    )
 
 
 def _stages(network: Network) -> list[tuple[str, ...]]:
-    """The steps, cut wherever everything before comes before everything after."""
-    order = network.topological_order
+    """The steps of the sequence, cut wherever everything before comes before everything after."""
+    order = sequence_of(network)
     before: dict[str, set[str]] = {}
     for id_ in order:
         before[id_] = {link.source for link in network.incoming[id_]}
@@ -134,47 +182,3 @@ def _stages(network: Network) -> list[tuple[str, ...]]:
             stages.append(order[begin:cut])
             begin = cut
     return stages
-
-
-def goal_in_words(component: Component | Nab, skills: Mapping[str, Skill]) -> str:
-    """What a component is to achieve: ``pick up the orange box``; of unknown skills, and of networks, the label."""
-    if isinstance(component, Component) and component.behavior in skills:
-        skill = skills[component.behavior]
-        try:
-            # Rounded as what was learned is: what was seen then reads the same, and so does a picture of either.
-            values = {
-                name: value if isinstance(value, str) else round(value, DECIMALS)
-                for name, value in component.parameters.items()
-            }
-            return clean(skill.abstract.describe(skill.complete(values)))
-        except SkillError:
-            pass  # a network of somebody else's skills: its labels are what is known
-    named = label_of(component)
-    return f"{named.title} ({named.details})" if named.details else named.title
-
-
-def _goal_of(observed: Observed, skills: Mapping[str, Skill]) -> str:
-    parameters: dict[str, ParameterValue] = {**dict(observed.instance.parameters), **observed.values}
-    return goal_in_words(Component(id="seen", behavior=observed.instance.behavior, parameters=parameters), skills)
-
-
-def _moment(observed: Observed) -> tuple[str, str]:
-    return f"{observed.interval.start:.1f}", f"{observed.interval.end:.1f} s"
-
-
-def _cues(observed: Observed) -> str:
-    said = ", ".join(f"{cue} {time:.1f} s" for time, cue in observed.cues)
-    return f" – {said}" if said else ""
-
-
-def _aligned(rows: Iterable[tuple[str, str, str, str]]) -> list[tuple[str, str, str]]:
-    """Moments under each other, as ``  5.1 to  20.3 s``."""
-    rows = list(rows)
-    first = max((len(row[0]) for row in rows), default=0)
-    second = max((len(row[1]) for row in rows), default=0)
-    return [(f"{start:>{first}} to {end:>{second}}", words, rest) for start, end, words, rest in rows]
-
-
-def _listed(parts: Sequence[str]) -> str:
-    """``a``, ``a and b``, ``a, b and c``."""
-    return " and ".join(part for part in (", ".join(parts[:-1]), *parts[-1:]) if part)
