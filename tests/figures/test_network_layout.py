@@ -1,4 +1,5 @@
 import itertools
+from dataclasses import replace
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -6,7 +7,7 @@ from hypothesis import strategies as st
 from tests.figures.samples import component, layered, network, transport, visit, wide
 from understudy.figures import layout
 from understudy.figures.network_layers import arrange
-from understudy.network import LinkType, Network
+from understudy.network import LinkType, Network, Trigger
 
 
 @st.composite
@@ -17,7 +18,15 @@ def networks(draw):
     kinds = draw(st.lists(st.sampled_from(list(LinkType)), min_size=len(chosen), max_size=len(chosen)))
     links = [(f"c{a}", f"c{b}", kind) for (a, b), kind in zip(chosen, kinds, strict=True)]
     order = draw(st.permutations(range(count)))
-    return network([component(f"c{index}", "Track") for index in order], links)
+    made = network([component(f"c{index}", "Track") for index in order], links)
+    ids = st.sampled_from([one.id for one in made.components])
+    rivals = draw(st.lists(st.tuples(ids, ids).filter(lambda pair: pair[0] != pair[1]), unique=True, max_size=5))
+    waited_for = {link.source for link in made.links}
+    duties = {id_ for id_ in draw(st.sets(ids)) if id_ not in waited_for}
+    if len(duties) == count:
+        duties.clear()
+    beside = tuple(replace(one, trigger=Trigger(every_s=9)) if one.id in duties else one for one in made.components)
+    return Network(beside, made.links, tuple(rivals)) if count > 1 else made
 
 
 @st.composite
@@ -58,10 +67,34 @@ def test_every_link_runs_downwards_from_box_to_box(case):
 
 
 @given(sized())
-def test_no_link_runs_through_a_box(case):
+def test_rivals_are_joined_once_from_edge_to_edge(case):
     made, sizes = case
     drawn = layout(made, sizes)
-    for route in drawn.routes.values():
+    assert {frozenset(pair) for pair in drawn.rivals} == {frozenset(pair) for pair in made.inhibitions}
+    assert len(drawn.rivals) == len({frozenset(pair) for pair in made.inhibitions})
+    for pair, route in drawn.rivals.items():
+        for id_, (x, y) in zip(pair, (route[0], route[-1]), strict=True):
+            place = drawn.places[id_]
+            at_the_side = min(abs(x - place.x), abs(x - place.x - place.width)) < 1e-6
+            level = at_the_side and place.y <= y <= place.bottom
+            assert level or (y in (place.y, place.bottom) and place.x <= x <= place.x + place.width)
+
+
+@given(sized())
+def test_lines_below_a_layer_keep_apart(case):
+    made, sizes = case
+    drawn = layout(made, sizes)
+    below = [(route[1], route[2]) for route in drawn.rivals.values() if len(route) == 4 and route[1][1] == route[2][1]]
+    for ((a, y1), (b, _)), ((c, y2), (d, _)) in itertools.combinations(below, 2):
+        assert y1 != y2 or b < c - 5 or d < a - 5
+
+
+@given(sized())
+def test_no_line_runs_through_a_box(case):
+    made, sizes = case
+    drawn = layout(made, sizes)
+    downwards = [route for route in drawn.rivals.values() if all(a[1] < b[1] for a, b in itertools.pairwise(route))]
+    for route in (*drawn.routes.values(), *downwards):
         for (x1, y1), (x2, y2) in itertools.pairwise(route):
             for place in drawn.places.values():
                 if y1 < place.bottom - 1e-6 and y2 > place.y + 1e-6:
@@ -71,7 +104,7 @@ def test_no_link_runs_through_a_box(case):
 @given(sized())
 def test_the_same_network_gives_the_same_layout(case):
     made, sizes = case
-    again = Network(tuple(made.components), tuple(made.links))
+    again = Network(tuple(made.components), tuple(made.links), tuple(made.inhibitions))
     assert layout(made, sizes) == layout(again, dict(reversed(sizes.items())))
 
 

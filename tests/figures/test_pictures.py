@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from matplotlib.text import Text
 
-from tests.figures import samples
+from tests.figures import nested, samples
 from understudy.behaviors import installed_skills
 from understudy.execution.trace import State
 from understudy.figures import (
@@ -59,13 +59,14 @@ def lying():
 
 def with_states():
     task = samples.transport()
-    states = dict(zip(task.topological_order, [*list(State)[:5], State.WAITING, "achieved"], strict=True))
+    states = dict(zip(task.topological_order, [*list(State)[:6], "achieved"], strict=True))
     return draw_network(task, states, installed_skills(), title="fetch, at 41 s")
 
 
-def inhibited():
-    task = samples.transport()
-    return draw_network(Network(task.components, task.links, (("yellow", "green"), ("yellow", "orange"))))
+def nested_states():
+    task = nested.controls()
+    states = dict(zip(task.by_path, itertools.cycle(reversed(State))))
+    return draw_network(task, states, installed_skills(), title="at 41 s")
 
 
 def progress(task, title, subtitle=""):
@@ -95,7 +96,15 @@ PICTURES = {
     "single": lambda: draw_network(samples.single(), title="a title that is much wider than the only box"),
     "nothing": lambda: draw_network(Network(())),
     "states": with_states,
-    "inhibitions": inhibited,
+    "states of networks": nested_states,
+    "hierarchical": lambda: draw_network(nested.hierarchical(), None, installed_skills(), title="§3.5.3.3"),
+    "hierarchical, from outside": lambda: draw_network(nested.hierarchical(), title="§3.5.3.3", depth=1),
+    "delivery": lambda: draw_network(nested.delivery(), None, installed_skills()),
+    "rivals": lambda: draw_network(nested.rivals()),
+    "controls": lambda: draw_network(nested.controls(), None, installed_skills()),
+    "deep": lambda: draw_network(nested.deep()),
+    "branches": lambda: draw_network(nested.branches(), None, installed_skills()),
+    "large": lambda: draw_network(nested.large()),
     "observations": lambda: draw_observations(samples.demonstration()),
     "lesson": lambda: draw_observations(learn(samples.demonstration()), cues=[(64.0, Cue.DROP), (63.0, Cue.HERE)]),
     "progress": lambda: progress(samples.transport(), "fetch"),

@@ -1,9 +1,11 @@
 import subprocess
 import sys
+from xml.etree import ElementTree
 
 import matplotlib as mpl
 import pytest
 
+from tests.figures import nested
 from tests.figures.samples import drive, room, transport
 from understudy.errors import UnderstudyError
 from understudy.figures import draw_arena, draw_network, save
@@ -58,6 +60,15 @@ def test_no_date_and_no_version_in_the_files(tmp_path):
     assert b"tEXt" not in png.read_bytes()
     assert b"dc:date" not in svg.read_bytes()
     assert b"dc:creator" not in svg.read_bytes()
+
+
+def test_an_svg_says_what_it_shows(tmp_path):
+    _, svg = save(draw_network(nested.hierarchical(), title="fetch & visit"), tmp_path / "task")
+    root = ElementTree.parse(svg).getroot()
+    assert root.tag == "{http://www.w3.org/2000/svg}svg"
+    assert root.findtext("{http://www.w3.org/2000/svg}title") == "fetch & visit"
+    _, svg = save(draw_arena(room(), [drive()]), tmp_path / "room")
+    assert ElementTree.parse(svg).getroot().findtext("{http://www.w3.org/2000/svg}title") == "fetch through a gate"
 
 
 def test_global_settings_are_left_alone(tmp_path):

@@ -175,7 +175,7 @@ class AbstractBehavior(Protocol):
 
 @runtime_checkable
 class Worded(Protocol):
-    """What an abstract behavior may know besides: words for conditions that ask for it. Both read as something that is so.
+    """Words that an abstract behavior may have besides, for conditions that ask for it: something that is so.
 
     Without them, people are told the goal.
     """

@@ -103,7 +103,7 @@ class _Picture:
         panel = math.ceil(len(self.rows) / self.columns) * _ROW
         below = self.room[1] + _SCALE_BAR
         height = max(below, panel + 14.0) if self.beside else below + 16.0 + panel
-        self.sheet = Sheet(across + 2 * _MARGIN, self.top + height + _MARGIN - 6.0)
+        self.sheet = Sheet(across + 2 * _MARGIN, self.top + height + _MARGIN - 6.0, clean(title))
         self.marked = [self.xy(*self._line_of(mark).at(mark.time_s)) for mark in self.marks]
         self.placer = Placer(Rect(self.left, self.top, self.left + self.room[0], self.top + self.room[1]))
 

@@ -133,7 +133,8 @@ class Chart:
         self.bottom = self.top + sum(heights)
         places = _flow([_sample_width(text) for _, text in key], width - 2 * _MARGIN)
         lines_of_key = places[-1][1] + 1 if places else 0
-        self.sheet = Sheet(width, self.bottom + 20.0 + (12.0 + 17.0 * lines_of_key if key else 0.0) + _MARGIN - 8.0)
+        height = self.bottom + 20.0 + (12.0 + 17.0 * lines_of_key if key else 0.0) + _MARGIN - 8.0
+        self.sheet = Sheet(width, height, clean(title))
         for index, line in enumerate(headline):
             self.sheet.text(_MARGIN, _MARGIN + 4 + 18 * index, line, size=TITLE, weight="bold")
         for index, line in enumerate(below):

@@ -7,22 +7,32 @@ from bisect import bisect_right, insort
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import ceil
 from typing import NamedTuple
 
 from understudy.network import LinkType, Network
 
-__all__ = ["Layers", "Segment", "Slot", "arrange"]
+__all__ = ["Layers", "Segment", "Slot", "Wire", "arrange"]
 
 _SWEEPS = 16
 """Few networks still improve after the third; each costs little."""
 
 
+class Wire(NamedTuple):
+    """What runs from one layer to another: a link, or what joins two rivals of which one inhibits the other."""
+
+    source: str
+    target: str
+    rival: bool = False
+
+
 class Slot(NamedTuple):
-    """A place in a layer: of the box ``source``, or of the link from ``source`` to ``target`` that passes through."""
+    """A place in a layer: of the box ``source``, or of a wire from ``source`` to ``target`` that passes through."""
 
     row: int
     source: str
     target: str = ""
+    rival: bool = False
 
     @property
     def passing(self) -> bool:
@@ -42,13 +52,17 @@ class Layers:
 
     Attributes:
         rows: their slots.
-        routes: for every link ``(source, target)`` the slots that it runs through, both ends included.
-        gaps: the pieces of the links between each layer and the next.
+        routes: for every wire the slots that it runs through, both ends included, downwards.
+        gaps: the pieces of the wires between each layer and the next; of rivals only those that pass layers.
+        beside: rivals in one layer, the left one first.
+        duties: which stand at the right end of their layers.
     """
 
     rows: tuple[tuple[Slot, ...], ...]
-    routes: Mapping[tuple[str, str], tuple[Slot, ...]]
+    routes: Mapping[Wire, tuple[Slot, ...]]
     gaps: tuple[tuple[Segment, ...], ...]
+    beside: tuple[tuple[Slot, Slot], ...] = ()
+    duties: tuple[Slot, ...] = ()
 
 
 def arrange(network: Network) -> Layers:
@@ -60,21 +74,38 @@ def arrange(network: Network) -> Layers:
         slot = Slot(depth[id_], id_)
         rows[slot.row].append(slot)
         side[slot] = 0
-    routes: dict[tuple[str, str], tuple[Slot, ...]] = {}
-    for link in network.links:
-        first, last = depth[link.source], depth[link.target]
-        passed = [Slot(row, link.source, link.target) for row in range(first + 1, last)]
+    wires = [(Wire(link.source, link.target), link.type is LinkType.PERMANENT) for link in network.links]
+    rivals = {tuple(sorted(pair, key=lambda id_: depth[id_])): None for pair in network.inhibitions}
+    rivals = {(a, b): None for a, b in rivals if (b, a) not in rivals or a < b}
+    wires += [(Wire(upper, lower, rival=True), True) for upper, lower in rivals if depth[upper] < depth[lower]]
+    routes: dict[Wire, tuple[Slot, ...]] = {}
+    for wire, to_the_right in wires:
+        first, last = depth[wire.source], depth[wire.target]
+        passed = [Slot(row, *wire) for row in range(first + 1, last)]
         for slot in passed:
             rows[slot.row].append(slot)
             # What must hold all the while keeps to the right, all else to the left; the longer way runs outside.
-            side[slot] = len(passed) if link.type is LinkType.PERMANENT else -len(passed)
-        routes[link.source, link.target] = (Slot(first, link.source), *passed, Slot(last, link.target))
+            side[slot] = len(passed) if to_the_right else -len(passed)
+        routes[wire] = (Slot(first, wire.source), *passed, Slot(last, wire.target))
     gaps: list[list[Segment]] = [[] for _ in rows[1:]]
-    for route in routes.values():
-        for upper, lower in pairwise(route):
-            gaps[upper.row].append((upper, lower))
+    for wire, route in routes.items():
+        if not wire.rival or len(route) > 2:
+            for upper, lower in pairwise(route):
+                gaps[upper.row].append((upper, lower))
     ordered = _uncross([sorted(row, key=lambda slot: side[slot]) for row in rows], gaps)
-    return Layers(rows=tuple(map(tuple, ordered)), routes=routes, gaps=tuple(map(tuple, gaps)))
+    duties = {component.id for component in network.components if component.trigger is not None}
+    ordered = [sorted(row, key=lambda slot: not slot.passing and slot.source in duties) for row in ordered]
+    place = {slot: index for row in ordered for index, slot in enumerate(row)}
+    beside = [
+        sorted((Slot(depth[a], a), Slot(depth[b], b)), key=place.__getitem__) for a, b in rivals if depth[a] == depth[b]
+    ]
+    return Layers(
+        rows=tuple(map(tuple, ordered)),
+        routes=routes,
+        gaps=tuple(map(tuple, gaps)),
+        beside=tuple((left, right) for left, right in beside),
+        duties=tuple(slot for row in ordered for slot in row if not slot.passing and slot.source in duties),
+    )
 
 
 def _depths(network: Network) -> dict[str, int]:
@@ -86,12 +117,24 @@ def _depths(network: Network) -> dict[str, int]:
         needed = network.outgoing[id_]
         if len(needed) > len(network.incoming[id_]):
             depth[id_] = min(depth[link.target] for link in needed) - 1
-    # Boxes without any link fill a field about twice as high as it is wide in boxes, instead of one endless row.
-    alone = [id_ for id_ in network.topological_order if not network.incoming[id_] and not network.outgoing[id_]]
+    duties = [id_ for id_ in network.topological_order if network.by_id[id_].trigger is not None]
+    # Boxes without any link fill a field about as high as it is wide in boxes, instead of one endless row.
+    alone = [
+        id_
+        for id_ in network.topological_order
+        if not network.incoming[id_] and not network.outgoing[id_] and id_ not in duties
+    ]
     across = max(3, round((len(alone) / 2) ** 0.5))
+    across = ceil(len(alone) / max(1, ceil(len(alone) / across)))  # the last row as full as the others
     for index, id_ in enumerate(alone):
         depth[id_] = index // across
-    return depth
+    # Duties stand under each other, beside the sequence.
+    row = -1
+    for id_ in duties:
+        row = depth[id_] = max(depth[id_], row + 1)
+    # A duty that waits for another one may have left a layer empty.
+    used = sorted(set(depth.values()))
+    return {id_: used.index(row) for id_, row in depth.items()}
 
 
 def _uncross(rows: Rows, gaps: Sequence[Sequence[Segment]]) -> Rows:

@@ -13,7 +13,7 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple
 
-from understudy.figures.network_layers import Layers, Segment, Slot, arrange
+from understudy.figures.network_layers import Layers, Segment, Slot, Wire, arrange
 from understudy.network import Network
 
 __all__ = ["BOX", "Layout", "Place", "Route", "layout"]
@@ -24,6 +24,7 @@ BOX = (150.0, 40.0)
 _BETWEEN_BOXES = 22.0
 _BETWEEN_LINES = 13.0
 _BOX_TO_LINE = 15.0
+_BETWEEN_RIVALS = 44.0
 _GAP = 40.0
 _PORTS = 16.0
 """From one line to the next where they leave a box or enter it; arrow heads must not touch."""
@@ -36,8 +37,11 @@ _STAIR = 8.0
 _LANDING = 11.0
 """The straight last stretch of a line, so that its head points the way the line comes."""
 
+_LANE = 9.0
+"""How far below each other lines run that join rivals in one layer."""
+
 Pair = tuple[str, str]
-_Swings = dict[Pair, tuple[float, float]]
+_Swings = dict[Wire, tuple[float, float]]
 
 
 class Place(NamedTuple):
@@ -72,12 +76,15 @@ class Layout:
         width, height: of everything.
         places: of the components, by id.
         routes: of the links, by ``(source, target)``.
+        rivals: what joins boxes of which one inhibits the other, or both each other; from the upper to the lower one,
+            and from the left to the right.
     """
 
     width: float
     height: float
     places: Mapping[str, Place]
     routes: Mapping[Pair, Route]
+    rivals: Mapping[Pair, Route]
 
 
 def layout(
@@ -94,10 +101,11 @@ def layout(
     size = {component.id: sizes.get(component.id, BOX) for component in network.components}
     size = {id_: (max(width, _ports_width(network, id_)), height) for id_, (width, height) in size.items()}
     middles = _middles(layers, size)
-    gaps = _ends(layers, middles, size)
-    heights = [max(size[slot.source][1] for slot in row if not slot.passing) for row in layers.rows]
+    gaps, under = _ends(layers, middles, size)
+    heights = [max((size[slot.source][1] for slot in row if not slot.passing), default=0.0) for row in layers.rows]
+    bands = [_LANE * (max(lanes, default=-1) + 1) for lanes in (_lanes(row) for row in under)]
     stairs = [_stairs(swings) for swings in gaps]
-    tops = _tops(heights, gaps, stairs, gap)
+    tops = _tops([height + band for height, band in zip(heights, bands, strict=True)], gaps, stairs, gap)
     places = {
         slot.source: Place(
             middles[slot] - size[slot.source][0] / 2,
@@ -107,37 +115,58 @@ def layout(
         for slot in middles
         if not slot.passing
     }
-    routes: dict[Pair, Route] = {}
-    for pair, route in layers.routes.items():
-        points = [(gaps[route[0].row][pair][0], places[pair[0]].bottom)]
+    routes: dict[Wire, Route] = {}
+    for wire, route in layers.routes.items():
+        points = [(gaps[route[0].row][wire][0], places[wire.source].bottom)]
         for slot in route[:-1]:
             # Through a layer straight, through the gap below it in a swing, above or below the others of the gap.
-            x1, x2 = gaps[slot.row][pair]
-            step, last = stairs[slot.row].get(pair, 0), max(stairs[slot.row].values(), default=0)
-            points.append((x1, tops[slot.row] + heights[slot.row] + _STAIR * step))
+            x1, x2 = gaps[slot.row][wire]
+            step, last = stairs[slot.row].get(wire, 0), max(stairs[slot.row].values(), default=0)
+            points.append((x1, tops[slot.row] + heights[slot.row] + bands[slot.row] + _STAIR * step))
             points.append((x2, tops[slot.row + 1] - _LANDING - _STAIR * (last - step)))
-        points.append((points[-1][0], places[pair[1]].y))
-        routes[pair] = tuple(
+        points.append((points[-1][0], places[wire.target].y))
+        routes[wire] = tuple(
             point for index, point in enumerate(points) if index == 0 or point[1] > points[index - 1][1]
         )
-    xs = [place.x for place in places.values()] + [x for route in routes.values() for x, _ in route]
-    ends = [place.x + place.width for place in places.values()] + [x for route in routes.values() for x, _ in route]
-    left = min(xs, default=0.0)
+    rivals = {(wire.source, wire.target): route for wire, route in routes.items() if wire.rival}
+    for row, spans in enumerate(under):
+        floor = tops[row] + heights[row]
+        for (pair, (x1, x2)), lane in zip(spans.items(), _lanes(spans), strict=True):
+            y = floor + _LANE * (lane + 1)
+            rivals[pair] = ((x1, places[pair[0]].bottom), (x1, y), (x2, y), (x2, places[pair[1]].bottom))
+    for left, right in layers.beside:
+        if (left.source, right.source) not in rivals:
+            one, other = places[left.source], places[right.source]
+            y = tops[left.row] + heights[left.row] / 2
+            rivals[left.source, right.source] = ((one.x + one.width, y), (other.x, y))
+    lines = [*routes.values(), *rivals.values()]
+    xs = [place.x for place in places.values()] + [x for route in lines for x, _ in route]
+    ends = [place.x + place.width for place in places.values()] + [x for route in lines for x, _ in route]
+    left_edge = min(xs, default=0.0)
     return Layout(
-        width=max(ends, default=0.0) - left,
-        height=tops[len(heights) - 1] + heights[-1] if heights else 0.0,
-        places={id_: place._replace(x=place.x - left) for id_, place in places.items()},
-        routes={pair: tuple((x - left, y) for x, y in route) for pair, route in routes.items()},
+        width=max(ends, default=0.0) - left_edge,
+        height=tops[len(heights) - 1] + heights[-1] + bands[-1] if heights else 0.0,
+        places={id_: place._replace(x=place.x - left_edge) for id_, place in places.items()},
+        routes={
+            (wire.source, wire.target): _shifted(route, left_edge) for wire, route in routes.items() if not wire.rival
+        },
+        rivals={pair: _shifted(route, left_edge) for pair, route in rivals.items()},
     )
 
 
+def _shifted(route: Route, left: float) -> Route:
+    return tuple((x - left, y) for x, y in route)
+
+
 def _ports_width(network: Network, id_: str) -> float:
-    return _PORTS * (max(len(network.incoming[id_]), len(network.outgoing[id_])) + 1)
+    rivals = sum(id_ in pair for pair in network.inhibitions)
+    return _PORTS * (max(len(network.incoming[id_]), len(network.outgoing[id_])) + rivals + 1)
 
 
 def _middles(layers: Layers, size: Mapping[str, tuple[float, float]]) -> dict[Slot, float]:
     """The x of every slot's middle."""
     column = _columns(layers)
+    beside = frozenset(layers.beside)
     members: dict[Slot, list[Slot]] = {}
     for slot, head in column.items():
         members.setdefault(head, []).append(slot)
@@ -146,7 +175,8 @@ def _middles(layers: Layers, size: Mapping[str, tuple[float, float]]) -> dict[Sl
     for row in layers.rows:
         for left, right in pairwise(row):
             pair = column[left], column[right]
-            apart[pair] = max(apart.get(pair, 0.0), _apart(left, right, size))
+            distance = _apart(left, right, size, _BETWEEN_RIVALS if (left, right) in beside else _BETWEEN_BOXES)
+            apart[pair] = max(apart.get(pair, 0.0), distance)
     lefts: dict[Slot, list[tuple[Slot, float]]] = {head: [] for head in members}
     rights: dict[Slot, list[tuple[Slot, float]]] = {head: [] for head in members}
     for (left, right), distance in apart.items():
@@ -197,7 +227,8 @@ def _columns(layers: Layers) -> dict[Slot, Slot]:
             if all((a < c and b < d) or (a > c and b > d) for c, d in taken):
                 taken.append((a, b))
                 head[lower] = head[upper]
-    return head
+    alone = [slot for slot in layers.duties if head[slot] == slot]
+    return head | dict.fromkeys(alone, alone[0]) if alone else head
 
 
 def _left_to_right(
@@ -214,11 +245,11 @@ def _left_to_right(
     return order
 
 
-def _apart(left: Slot, right: Slot, size: Mapping[str, tuple[float, float]]) -> float:
+def _apart(left: Slot, right: Slot, size: Mapping[str, tuple[float, float]], boxes: float) -> float:
     half = sum(size[slot.source][0] / 2 for slot in (left, right) if not slot.passing)
     if left.passing and right.passing:
         return _BETWEEN_LINES
-    return half + (_BOX_TO_LINE if left.passing or right.passing else _BETWEEN_BOXES)
+    return half + (_BOX_TO_LINE if left.passing or right.passing else boxes)
 
 
 def _pull(upper: Slot, lower: Slot) -> float:
@@ -226,26 +257,56 @@ def _pull(upper: Slot, lower: Slot) -> float:
     return 1.0 if upper.passing or lower.passing else 4.0
 
 
-def _ends(layers: Layers, middles: Mapping[Slot, float], size: Mapping[str, tuple[float, float]]) -> list[_Swings]:
-    """Gap by gap, from which x to which each piece of a link runs, its ends at the ports of the boxes."""
-    leaving: dict[Slot, list[tuple[float, Pair]]] = {}
-    entering: dict[Slot, list[tuple[float, Pair]]] = {}
-    for pair, route in layers.routes.items():
-        leaving.setdefault(route[0], []).append((middles[route[1]], pair))
-        entering.setdefault(route[-1], []).append((middles[route[-2]], pair))
+def _ends(
+    layers: Layers, middles: Mapping[Slot, float], size: Mapping[str, tuple[float, float]]
+) -> tuple[list[_Swings], list[dict[Pair, tuple[float, float]]]]:
+    """Where lines begin and end, their ends at the ports of the boxes.
+
+    Returns:
+        Gap by gap, from which x to which each piece of a wire runs; and layer by layer, from which x to which the
+        lines below it run that join rivals with another box between them.
+    """
+    leaving: dict[Slot, list[tuple[float, Wire]]] = {}
+    entering: dict[Slot, list[tuple[float, Wire]]] = {}
+    for wire, route in layers.routes.items():
+        leaving.setdefault(route[0], []).append((middles[route[1]], wire))
+        entering.setdefault(route[-1], []).append((middles[route[-2]], wire))
+    around = [(left, right) for left, right in layers.beside if _between(left, right, layers)]
+    for left, right in around:
+        leaving.setdefault(left, []).append((middles[right], Wire(left.source, right.source)))
+        leaving.setdefault(right, []).append((middles[left], Wire(right.source, left.source)))
     starts, ends = (
-        {pair: x for box, lines in side.items() for pair, x in _ports(middles[box], size[box.source][0], lines).items()}
+        {wire: x for box, lines in side.items() for wire, x in _ports(middles[box], size[box.source][0], lines).items()}
         for side in (leaving, entering)
     )
     gaps: list[_Swings] = [{} for _ in layers.gaps]
-    for pair, route in layers.routes.items():
-        xs = [starts[pair], *(middles[slot] for slot in route[1:-1]), ends[pair]]
+    for wire, route in layers.routes.items():
+        xs = [starts[wire], *(middles[slot] for slot in route[1:-1]), ends[wire]]
         for slot, x1, x2 in zip(route, xs, xs[1:], strict=False):
-            gaps[slot.row][pair] = (x1, x2)
-    return gaps
+            gaps[slot.row][wire] = (x1, x2)
+    under: list[dict[Pair, tuple[float, float]]] = [{} for _ in layers.rows]
+    for left, right in around:
+        pair = left.source, right.source
+        under[left.row][pair] = starts[Wire(left.source, right.source)], starts[Wire(right.source, left.source)]
+    return gaps, under
 
 
-def _ports(middle: float, width: float, lines: Sequence[tuple[float, Pair]]) -> dict[Pair, float]:
+def _between(left: Slot, right: Slot, layers: Layers) -> bool:
+    """Whether another box stands between two of one layer."""
+    row = layers.rows[left.row]
+    return any(not slot.passing for slot in row[row.index(left) + 1 : row.index(right)])
+
+
+def _lanes(spans: Mapping[Pair, tuple[float, float]]) -> list[int]:
+    """For every line below a layer, how many others it lets pass above it, so that none lies on another."""
+    lanes: dict[Pair, int] = {}
+    for pair, (x1, x2) in sorted(spans.items(), key=lambda item: item[1][1] - item[1][0]):
+        met = [lane for other, lane in lanes.items() if spans[other][0] < x2 + _PORTS and x1 < spans[other][1] + _PORTS]
+        lanes[pair] = next(lane for lane in range(len(met) + 1) if lane not in met)
+    return [lanes[pair] for pair in spans]
+
+
+def _ports(middle: float, width: float, lines: Sequence[tuple[float, Wire]]) -> dict[Wire, float]:
     """Where lines meet an edge of a box: side by side in the order of where they come from or go to.
 
     The one that goes straight keeps to the middle, and the others stand to its left and right.
@@ -256,31 +317,32 @@ def _ports(middle: float, width: float, lines: Sequence[tuple[float, Pair]]) -> 
     first = -(count - 1) / 2 if straight is None else -float(straight)
     reach = (width - _PORTS) / 2 / _PORTS
     first = min(max(first, -reach), reach - (count - 1))
-    return {pair: middle + _PORTS * (first + index) for index, (_, pair) in enumerate(ordered)}
+    return {wire: middle + _PORTS * (first + index) for index, (_, wire) in enumerate(ordered)}
 
 
-def _stairs(swings: _Swings) -> dict[Pair, int]:
+def _stairs(swings: _Swings) -> dict[Wire, int]:
     """How many other lines of a gap each one lets pass above it, so that lines side by side keep their distance.
 
     Of two lines to the right, the one that begins farther to the right runs above the other; to the left, the reverse.
     """
-    stairs: dict[Pair, int] = {}
+    stairs: dict[Wire, int] = {}
     for sign in (1.0, -1.0):
-        group = [(sign * x1, sign * x2, pair) for pair, (x1, x2) in swings.items() if sign * (x2 - x1) > 0.5]
+        group = [(sign * x1, sign * x2, wire) for wire, (x1, x2) in swings.items() if sign * (x2 - x1) > 0.5]
         group.sort(key=lambda line: -line[0])
-        for index, (x1, x2, pair) in enumerate(group):
+        for index, (x1, x2, wire) in enumerate(group):
             above = [stairs[other] for begin, _, other in group[:index] if begin < x2 and begin > x1]
-            stairs[pair] = max(above, default=-1) + 1
+            stairs[wire] = max(above, default=-1) + 1
     return stairs
 
 
 def _tops(
-    heights: Sequence[float], gaps: Sequence[_Swings], stairs: Sequence[Mapping[Pair, int]], gap: float
+    heights: Sequence[float], gaps: Sequence[_Swings], stairs: Sequence[Mapping[Wire, int]], gap: float
 ) -> list[float]:
     """The upper edge of every layer."""
     tops = [0.0]
     for height, swings, steps in zip(heights, gaps, stairs, strict=False):
         # A line that runs far across needs room to swing, and lines side by side need room for each other.
         across = max((abs(x1 - x2) for x1, x2 in swings.values()), default=0.0)
-        tops.append(tops[-1] + height + gap + min(0.14 * across, gap) + _STAIR * max(steps.values(), default=0))
+        between = gap if swings else gap / 2
+        tops.append(tops[-1] + height + between + min(0.14 * across, gap) + _STAIR * max(steps.values(), default=0))
     return tops

@@ -26,7 +26,7 @@ def told_order(network: Network) -> tuple[str, ...]:
 
 
 def cases_of(path: str, nab: Nab) -> Iterator[tuple[str, str, Case]]:
-    """For every case of the NAB at a path: where paths of its components begin, its letter if there are several, itself."""
+    """The cases of the NAB at a path, with what the paths inside begin with, and its letter if there are several."""
     for index, case in enumerate(nab.cases):
         inside = "/".join(filter(None, (path, case.name)))
         yield f"{inside}/", letter(index) if len(nab.cases) > 1 else "", case

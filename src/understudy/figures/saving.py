@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from understudy.errors import UnderstudyError
 from understudy.figures.sheet import DPI
+from understudy.figures.style import drawable
 
 __all__ = ["save"]
 
@@ -42,12 +43,18 @@ def save(figure: Figure, path: str | Path) -> list[Path]:
     for file, (kind, metadata) in zip(files, _METADATA.items(), strict=True):
         try:
             with file.open("xb") as stream, rc_context(_SETTINGS):
-                figure.savefig(stream, format=kind, dpi=DPI, metadata=metadata)
+                figure.savefig(stream, format=kind, dpi=DPI, metadata=metadata | _title(figure, kind))
         except FileExistsError:
             raise _exists(file) from None
         except OSError as error:
             raise UnderstudyError(f"{file}: the picture cannot be written: {error.strerror}; name another") from None
     return files
+
+
+def _title(figure: Figure, kind: str) -> dict[str, str]:
+    """What a reader of the picture is told aloud, or shown under the pointer; PNG files have no place for it."""
+    title = str(figure.get_label())
+    return {"Title": drawable(title)} if title and kind == "svg" else {}
 
 
 def _exists(file: Path) -> UnderstudyError:

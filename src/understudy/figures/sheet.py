@@ -33,11 +33,13 @@ class Sheet:
     Args:
         width: points.
         height: points.
+        title: what it shows, for readers of the file.
     """
 
-    def __init__(self, width: float, height: float) -> None:
+    def __init__(self, width: float, height: float, title: str = "") -> None:
         self.width, self.height = width, height
         self.figure = Figure(figsize=(width / 72, height / 72), dpi=DPI, facecolor=PAPER)
+        self.figure.set_label(title)
         FigureCanvasAgg(self.figure)
         self.axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.axes.set_axis_off()

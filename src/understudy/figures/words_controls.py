@@ -1,4 +1,4 @@
-"""Loops, ends, timeouts, duties, cases and switches in a few words: what a component's document says besides its goal."""
+"""Loops, ends, timeouts, duties, cases and switches in a few words: what a component says besides its goal."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

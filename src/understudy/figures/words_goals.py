@@ -24,7 +24,7 @@ def goal_in_words(component: Component | Nab, skills: Mapping[str, Skill]) -> st
 def completed(
     behavior: str, parameters: Mapping[str, ParameterValue], skills: Mapping[str, Skill]
 ) -> Parameters | None:
-    """The parameters as the skill takes them; None for somebody else's skills, of which the labels are what is known."""
+    """The parameters as the skill takes them; None for somebody else's skill, of which the label is what is known."""
     if behavior not in skills:
         return None
     # Rounded as what was learned is: what was seen then reads the same, and so does a picture of either.
