@@ -4,8 +4,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from understudy.learning import LearningSettings, Observed, construct, expand_links, reduce_links
-from understudy.network import Component, Interval, Link, LinkType, Network
+from understudy.learning import LearningSettings, Observed, construct
+from understudy.network import Component, Interval, Link, LinkType, Network, expand_links, reduce_links
 
 from . import reference
 from .build import interval, seconds, seen, spans, tracked, typed_links

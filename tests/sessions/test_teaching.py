@@ -8,8 +8,8 @@ import pytest
 
 from understudy.behaviors import installed_skills
 from understudy.errors import LearningError, RecordingError, WorldError
-from understudy.learning import expand_links, learn
-from understudy.network import LinkType
+from understudy.learning import learn
+from understudy.network import LinkType, expand_links
 from understudy.recording import read_recording
 from understudy.sessions import recorded_demonstration, teach
 from understudy.sim import World, load_world, world_path

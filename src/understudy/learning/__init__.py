@@ -12,7 +12,6 @@ from understudy.learning.documents import IntervalsDocument, intervals_schema, l
 from understudy.learning.learner import Lesson, learn
 from understudy.learning.observations import Demonstration, History, Instance, Observed
 from understudy.learning.observer import Observer
-from understudy.learning.reduction import expand_links, reduce_links
 from understudy.learning.selection import Dropped, Selection, select
 from understudy.learning.settings import DISTANCE, LearningSettings
 
@@ -35,13 +34,11 @@ __all__ = [
     "construct",
     "demonstrate",
     "evaluate",
-    "expand_links",
     "intervals_schema",
     "learn",
     "load_intervals",
     "observe",
     "parse_intervals",
-    "reduce_links",
     "relation",
     "select",
 ]

@@ -1,7 +1,7 @@
 """The off-line part of learning: from observations to the task's network (§4.4.1, step 4; Table 4.1).
 
 Every link enforces the order in which its ends were observed (§4.4.2). Ordering links that a path of others implies are
-not stored; :func:`~understudy.learning.expand_links` brings them back.
+not stored; :func:`~understudy.network.expand_links` brings them back.
 
 Where the observations are ordered by closest approach, a pair may come in one order by that and in the other by
 onset: the far target, in view first, was visited last. Table 4.1 says nothing about it, since its A is the one with the

@@ -19,6 +19,8 @@ from understudy.network.controls import Repeat, Switch, Timeout, Trigger
 from understudy.network.definition import Case, Component, Link, LinkType, Nab, Network, ParameterValue
 from understudy.network.document import Task, load_task, parse_task, save_task, task_schema, task_text
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
+from understudy.network.flattening import flattened
+from understudy.network.reduction import expand_links, reduce_links
 
 __all__ = [
     "Achieved",
@@ -48,8 +50,11 @@ __all__ = [
     "Timeout",
     "Trigger",
     "atoms",
+    "expand_links",
+    "flattened",
     "load_task",
     "parse_task",
+    "reduce_links",
     "save_task",
     "task_names",
     "task_path",

@@ -1,12 +1,13 @@
 """Ordering links that a path implies: taking them out, and putting them back (semantics §2).
 
 Every satisfied link requires its source to be achieved, so links are transitive. A network and its reduced form behave
-alike; the reduced one can be read.
+alike; the reduced one can be read. Both are made at every depth of a hierarchy.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 
-from understudy.network import Link, LinkType, Network
+from understudy.network.definition import Component, Link, LinkType, Network
 
 __all__ = ["expand_links", "reduce_links"]
 
@@ -23,7 +24,7 @@ def reduce_links(network: Network) -> Network:
         for link in network.links
         if link.type is not LinkType.ORDERING or not reached[link.source] >> rank[link.target] & 1
     )
-    return replace(network, links=links)
+    return replace(_inside(network, reduce_links), links=links)
 
 
 def expand_links(network: Network) -> Network:
@@ -39,7 +40,20 @@ def expand_links(network: Network) -> Network:
         for target in network.components
         if reached[source.id] >> rank[target.id] & 1 and (source.id, target.id) not in direct
     )
-    return replace(network, links=network.links + added)
+    return replace(_inside(network, expand_links), links=network.links + added)
+
+
+def _inside(network: Network, change: Callable[[Network], Network]) -> Network:
+    """The network with every network that stands in it changed."""
+    if network.flat:
+        return network
+    components = tuple(
+        part
+        if isinstance(part, Component)
+        else replace(part, cases=tuple(replace(case, network=change(case.network)) for case in part.cases))
+        for part in network.components
+    )
+    return replace(network, components=components)
 
 
 def _reached_in_steps(network: Network) -> tuple[dict[str, int], dict[str, int]]:
