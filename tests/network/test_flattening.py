@@ -99,7 +99,7 @@ def duty_free() -> Component:
             replace(Nab.of("n", OPEN), until=Happened(event="e"), timeout=Timeout(seconds=2.0)),
             "with until and timeout has",
         ),
-        (replace(Nab.of("n", OPEN), trigger=Trigger(every_s=2.0)), "with trigger has"),
+        (replace(Nab.of("n", OPEN), trigger=Trigger(every_s=2.0)), "a duty inside of a network rests"),
         (Nab.of("n", Network(())), "a network without components"),
     ],
 )
