@@ -71,6 +71,8 @@ Reading 27: `until` makes a goal true as long as it is so, and that of an active
 Reading 28: locks: duties and their parts go before all others. For the order, a part is needed by all who need its
     NAB, and not by duties: these come and go.
 Reading 29: whatever is followed by duties only is a final goal.
+Reading 30: a NAB is as good as a behavior (§3.4): it continues while one of its parts does, so that a primitive that
+    asked not to be interrupted may finish when its network is complete.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -503,12 +505,19 @@ class _Tick:
             for source, link in self.links_into(part):
                 if not self.satisfied(source, path, link):
                     reasons.add((link.type.value, source))
-            continues = path in self.world.continues and path not in context.inhibited and used
-            if continues or not reasons:
+            if (used and self.continues(part)) or not reasons:
                 active.add(path)
             else:
                 self.refusals[path] = reasons
         return active
+
+    def continues(self, part: Part) -> bool:
+        """Its primitive asserts Continue; of a NAB, that of one of its parts does (Reading 30)."""
+        if part.path in self.context.inhibited or not self.in_use(part.case):
+            return False
+        if isinstance(part.component, Component):
+            return part.path in self.world.continues
+        return any(self.continues(inner) for inner in self.parts if inner.case[0] == part.path)
 
     def was_busy(self, path: str) -> bool:
         """It executed in the last tick; of a NAB, one of its parts did."""

@@ -373,8 +373,11 @@ class Activation:
         if not self._stale and not keep_on and not inhibited:
             return context.active
         active = self._ready.copy()
-        if keep_on:
-            active |= {row for row in keep_on if self.enabled[self.program.nodes[row].scope]}
+        for row in keep_on:
+            # So does every NAB in which it stands: it is as good as a behavior (§3.4).
+            chain = (row, *self.program.ancestors(row))
+            if self.enabled[self.program.nodes[row].scope] and inhibited.keys().isdisjoint(chain):
+                active.update(chain)
         if inhibited:
             active -= inhibited.keys()
         for scope in self.program.scopes[1:]:
