@@ -168,7 +168,11 @@ def world(**changes: object) -> str:
 
 
 MISTAKES = {
-    "no such world": (["teach", "nowhere"], {}, "nowhere: there is no such file, and no such world among: hierarchical, transport"),
+    "no such world": (
+        ["teach", "nowhere"],
+        {},
+        "nowhere: there is no such file, and no such world among: hierarchical, transport",
+    ),
     "malformed world": (["teach", "w.yaml"], {"w.yaml": "arena: ["}, "w.yaml: line 2, column 1: this is no YAML"),
     "unknown key": (["teach", "w.yaml"], {"w.yaml": world(tragets=[])}, "tragets: unknown key 'tragets'; did you mean"),
     "unknown color": (

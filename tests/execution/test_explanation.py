@@ -56,10 +56,12 @@ def test_the_reasons_are_those_of_the_definition(scenario: Scenario) -> None:
             elif found.missing[0].kind in ("ordering", "enabling", "permanent"):
                 kinds = {(reason[0], reason[1]) for reason in outcome.refusals[path] if len(reason) > 1}
                 assert {(one.kind, one.component) for one in found.missing} <= kinds
-            elif found.missing[0].kind in ("locked", "inhibited"):
-                assert found.missing[0].component in {
-                    r[1] for r in outcome.refusals[path] if r[0] in ("locked", "inhibited")
-                }
+            elif found.missing[0].kind == "locked":
+                other = scenario.network.by_path[found.missing[0].component]
+                assert isinstance(part, Component)
+                assert isinstance(other, Component)
+                assert found.missing[0].component in outcome.executing
+                assert scenario.behaviors[part.behavior][0] & scenario.behaviors[other.behavior][0]
 
 
 @settings(max_examples=100)

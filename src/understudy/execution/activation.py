@@ -545,9 +545,12 @@ class Activation:
         return self._asked
 
     def lock_of(self, row: int, step: Step) -> int | None:
-        """Who holds an actuator that an active behavior needs; None if nobody else does."""
-        owners = (step.owners.get(actuator) for actuator in self.program.nodes[row].actuators)
-        return next((owner for owner in owners if owner is not None and owner != row), None)
+        """Who held an actuator that an active behavior needs, at its turn; None if nobody else did.
+
+        Of several owners the one that took its locks first: others may have taken theirs after the behavior's turn.
+        """
+        owners = {step.owners.get(actuator) for actuator in self.program.nodes[row].actuators}
+        return next((owner for owner in step.executing if owner in owners and owner != row), None)
 
     def full_level(self, row: int) -> int:
         """The activation level that the component would have if every implied ordering link were stored.
