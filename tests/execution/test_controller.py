@@ -8,7 +8,7 @@ from typing import Any
 from understudy.behaviors import Action, Drive, Instance, Memory, Parameter, Parameters, Skill, SkillSet
 from understudy.behaviors.skill import Actuator
 from understudy.execution import Controller, Decision, Event
-from understudy.network import Component, Link, LinkType, Network
+from understudy.network import Component, Link, LinkType, Nab, Network
 from understudy.perception import Percepts
 from understudy.robot import PIONEER
 
@@ -20,8 +20,18 @@ class Scripted:
     actuators = frozenset({Actuator.WHEELS})
     maintaining = False
 
-    def __init__(self, name: str, goal: Sequence[int], *, seen: Sequence[int] | None = None, on: Sequence[int] = ()):
+    def __init__(
+        self,
+        name: str,
+        goal: Sequence[int],
+        *,
+        seen: Sequence[int] | None = None,
+        on: Sequence[int] = (),
+        gripper: bool = False,
+    ):
         self.name, self.goal_at, self.seen, self.on = name, goal, seen, on
+        if gripper:
+            self.actuators = frozenset({Actuator.GRIPPER})
 
     def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
         return round(percepts.time_s * 10) in self.goal_at
@@ -37,6 +47,8 @@ class Scripted:
 
     def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         keep_on = round(percepts.time_s * 10) in self.on
+        if self.actuators == {Actuator.GRIPPER}:
+            return Action(paddles="open", keep_on=keep_on), {}
         return Action(drive=Drive(linear=0.11), keep_on=keep_on), {"steps": memory.get("steps", 0) + 1}
 
 
@@ -182,3 +194,57 @@ def test_steps_achieved_in_one_tick_are_told_predecessors_first() -> None:
     running = controller(Scripted("B", [1]), Scripted("A", [1]), links=CHAIN)
     _, both = ticks(running, 2)
     assert [event.component for event in both.events if event.kind == "achieved"] == ["a", "b"]
+
+
+def test_disjoint_actuators_are_used_in_one_tick() -> None:
+    """§3.3.2: locks still enable "the simultaneous execution of behaviors that control sets of actuators that are
+    disjunct"; also across the borders of networks.
+    """
+    skills = (Scripted("Drive", [4]), Scripted("Open", [3], gripper=True), Scripted("Turn", [6]))
+    drive, open_, turn = (Component(id=skill.name.lower(), behavior=skill.name) for skill in skills)
+    network = Network((Nab.of("arm", Network((open_,))), drive, turn))
+    running = Controller(network, SkillSet(*(Skill(skill, skill) for skill in skills)), PIONEER)
+    decisions = ticks(running, 7)
+    assert (decisions[0].command.linear, decisions[0].command.paddles) == (0.11, None)  # its parts come a tick later
+    assert (decisions[1].command.linear, decisions[1].command.paddles) == (0.11, "open")
+    assert told(decisions, "arm/open")[1] == (0.1, "state", {"state": "executing"})
+    assert told(decisions, "turn")[:2] == [
+        (0.0, "state", {"state": "searching", "reason": "locked", "by": "drive"}),  # the wheels are the first one's
+        (0.4, "state", {"state": "executing"}),
+    ]
+    assert [decision.complete for decision in decisions] == [False] * 6 + [True]
+
+
+def test_a_rival_and_one_that_continues_are_seen_in_the_trace() -> None:
+    """``a`` inhibits ``b`` while it executes, and goes on when its goal is reached, since its primitive asks for it."""
+    running = controller(Scripted("A", [2], on=[1, 2, 3]), Scripted("B", [6], gripper=True), inhibitions=(("a", "b"),))
+    decisions = ticks(running, 7)
+    assert [detail for _, kind, detail in told(decisions, "a") if kind == "state"] == [
+        {"state": "executing"},
+        {"state": "achieved"},
+    ]
+    states = [(time_s, detail) for time_s, kind, detail in told(decisions, "b") if kind == "state"]
+    assert states[:3] == [
+        (0.0, {"state": "executing"}),
+        (0.1, {"state": "inhibited", "by": "a"}),
+        (0.6, {"state": "achieved"}),
+    ]
+
+
+def test_a_network_continues_while_one_of_its_parts_does() -> None:
+    """The last step of a subtask finishes what it began before the next subtask moves the robot."""
+    skills = (Scripted("A", [3], on=[2, 3, 4]), Scripted("B", [7]))
+    a, b = (Component(id=skill.name.lower(), behavior=skill.name) for skill in skills)
+    network = Network(
+        (Nab.of("first", Network((Nab.of("deep", Network((a,))),))), Nab.of("then", Network((b,)))),
+        (Link(source="first", target="then", type=LinkType.ORDERING),),
+    )
+    running = Controller(network, SkillSet(*(Skill(skill, skill) for skill in skills)), PIONEER)
+    decisions = ticks(running, 8)
+    rows = running.program.rows
+    executing = [decision.step.executing for decision in decisions]
+    assert executing == [(), (), *([(rows["first/deep/a"],)] * 4), (rows["then/b"],), ()]
+    assert told(decisions, "then/b")[1:3] == [
+        (0.4, "state", {"state": "searching", "reason": "locked", "by": "first/deep/a"}),
+        (0.6, "state", {"state": "executing"}),
+    ]

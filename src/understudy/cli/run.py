@@ -38,7 +38,7 @@ def command(
     from understudy.documents import write_new  # noqa: PLC0415
     from understudy.execution import compile_network  # noqa: PLC0415
     from understudy.figures import goal_in_words  # noqa: PLC0415
-    from understudy.network import load_task  # noqa: PLC0415
+    from understudy.network import Component, load_task  # noqa: PLC0415
     from understudy.sessions import Workspace, perform  # noqa: PLC0415
     from understudy.sim import rearranged  # noqa: PLC0415
 
@@ -51,12 +51,13 @@ def command(
         room = rearranged(room, rearrange)
     place = Workspace(workspace)
     stem = place.free(f"{document.name} run", ".mcap", ".json")
+    steps = {path for path, part in network.walk() if isinstance(part, Component)}
     reached: list[str] = []
     with progress(f"running {document.name}", limit) as say:
 
         def watch(percepts: "Percepts", decision: "Decision") -> None:
             reached.extend(event.component for event in decision.events if event.kind == "achieved")
-            say(percepts.time_s, f"{len(reached)} of {len(network.components)} steps")
+            say(percepts.time_s, f"{len(steps.intersection(reached))} of {len(steps)} steps")
 
         performed = perform(
             document.name,

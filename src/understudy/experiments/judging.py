@@ -1,11 +1,12 @@
 """Whether a run did the task, as somebody sees it who stands beside (§4.5.3)."""
 
 import math
+from collections.abc import Collection, Iterator
 
 from understudy.behaviors.track import TRACK
 from understudy.clock import CONTROL_RATE_HZ
 from understudy.geometry import Pose, angle_to_bearing, wrap_angle
-from understudy.network import Component, Network
+from understudy.network import Component, Nab, Network
 from understudy.sessions import Performed
 
 __all__ = ["problems_of"]
@@ -25,30 +26,52 @@ def problems_of(performed: Performed, network: Network) -> list[str]:
 
     The robot's report must say that all was done in the time allowed, and it must be true: at the moment of each step
     the robot was where the step asks it to be, looking where it asks it to look; the steps came in the order of their
-    links; and the box that was fetched lies where it was to be brought. No person was run into, and no wall or target
-    was hit hard.
+    links, at every depth; and the box that was fetched lies where it was to be brought. No person was run into, and no
+    wall or target was hit hard.
     """
     report = performed.report
     achieved = dict(report.achieved)
     problems: list[str] = []
     if not report.done:
-        missing = [component.id for component in network.components if component.id not in achieved]
-        problems.append(f"{report.ending}; missing {', '.join(missing) or 'nothing'}")
+        missing = ", ".join(_missing(network, achieved)) or "nothing"
+        problems.append(f"{report.ending}; missing {missing}")
     problems += [
-        f"{link.target} was achieved before {link.source}"
-        for link in network.links
-        if link.target in achieved and achieved.get(link.source, math.inf) > achieved[link.target]
+        f"{target} was achieved before {source}"
+        for source, target in _orders(network)
+        if target in achieved and achieved.get(source, math.inf) > achieved[target]
     ]
     for id_, time_s in report.achieved:
         component = network.by_path[id_]
         if isinstance(component, Component) and component.behavior == "Track":
-            problems += _misplaced(performed, component, time_s)
+            problems += _misplaced(performed, id_, component, time_s)
     if report.done:
         problems += _undelivered(performed, network)
     return problems + [f"ran into a {what} ({count} ×)" for what, count in performed.verdict.collisions.items()]
 
 
-def _misplaced(performed: Performed, component: Component, time_s: float) -> list[str]:
+def _missing(network: Network, achieved: Collection[str], path: str = "") -> Iterator[str]:
+    """Paths of what was not achieved: of a network with one case, of its parts."""
+    for part in network.components:
+        if f"{path}{part.id}" in achieved or part.trigger is not None:
+            continue
+        if isinstance(part, Nab) and len(part.cases) == 1:
+            yield from _missing(
+                part.network, achieved, "/".join(filter(None, (path + part.id, part.cases[0].name))) + "/"
+            )
+        else:
+            yield f"{path}{part.id}"
+
+
+def _orders(network: Network, path: str = "") -> Iterator[tuple[str, str]]:
+    """Which paths come before which, by the links of the networks at every depth."""
+    for link in network.links:
+        yield f"{path}{link.source}", f"{path}{link.target}"
+    for part in network.components:
+        for case in part.cases if isinstance(part, Nab) else ():
+            yield from _orders(case.network, "/".join(filter(None, (path + part.id, case.name))) + "/")
+
+
+def _misplaced(performed: Performed, id_: str, component: Component, time_s: float) -> list[str]:
     """Whether the robot truly stood where a ``Track`` step asks it to stand."""
     parameters = TRACK.complete(component.parameters)
     stage, path = performed.stage, performed.stage.robot_path
@@ -61,8 +84,8 @@ def _misplaced(performed: Performed, component: Component, time_s: float) -> lis
             turn = abs(math.degrees(wrap_angle(here.bearing - angle_to_bearing(parameters["angle_deg"]))))
             best = min(best, (gap, turn))
     gap, turn = best
-    found = [f"{component.id}: {gap:.2f} m from where it should have been"] if gap > _PLACE_TOLERANCE_M else []
-    return found + ([f"{component.id}: {turn:.0f}° off"] if turn > _ANGLE_TOLERANCE_DEG else [])
+    found = [f"{id_}: {gap:.2f} m from where it should have been"] if gap > _PLACE_TOLERANCE_M else []
+    return found + ([f"{id_}: {turn:.0f}° off"] if turn > _ANGLE_TOLERANCE_DEG else [])
 
 
 def _undelivered(performed: Performed, network: Network) -> list[str]:

@@ -18,20 +18,17 @@ from understudy.sessions import perform, teach
 from understudy.sim import World, load_world, rearranged, world_path
 
 __all__ = [
-    "EXPERIMENTS",
     "Summary",
     "Trial",
     "run_trials",
     "structure",
     "summarise",
     "taught_network",
+    "taught_trials",
     "teaching_trials",
 ]
 
 _RIGHT_DEG = 45.0
-
-EXPERIMENTS = ("visit_targets", "transport")
-"""Bundled worlds with a scripted teacher."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,6 +40,7 @@ class Trial:
         time_s: simulated time until it was done, or given up.
         problems: what was wrong; empty for a success.
         collisions, grazes: how many hard and soft contacts.
+        achieved: paths in the order in which they were achieved; empty for a demonstration.
     """
 
     experiment: str
@@ -52,6 +50,7 @@ class Trial:
     problems: tuple[str, ...]
     collisions: int
     grazes: int
+    achieved: tuple[str, ...] = ()
 
     @property
     def success(self) -> bool:
@@ -141,7 +140,16 @@ def run_trials(
             problems=tuple(problems_of(performed, network)),
             collisions=sum(performed.verdict.collisions.values()),
             grazes=sum(performed.verdict.grazes.values()),
+            achieved=tuple(path for path, _ in performed.report.achieved),
         )
+
+
+def taught_trials(experiment: str, seeds: Sequence[int]) -> Iterator[Trial]:
+    """Teaches a task anew, then executes what one demonstration taught in the same room and in changed ones."""
+    world, network = taught_network(experiment)
+    yield from teaching_trials(experiment, seeds)
+    for room in ("same", "changed"):
+        yield from run_trials(experiment, world, network, room, seeds)
 
 
 def summarise(trials: Sequence[Trial]) -> Summary:

@@ -1,0 +1,38 @@
+"""Which experiments there are, and what each has to tell."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from types import MappingProxyType
+
+from understudy.experiments.hierarchical import hierarchical_tables, hierarchical_trials
+from understudy.experiments.trials import Trial, taught_trials
+
+__all__ = ["EXPERIMENTS", "Experiment"]
+
+
+def _nothing(trials: Sequence[Trial]) -> Iterator[str]:
+    yield from ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Experiment:
+    """One experiment.
+
+    Attributes:
+        trials: runs it with these seeds; all trials in one room follow each other.
+        tables: what there is to tell of its trials beside their success, as lines of Markdown.
+    """
+
+    trials: Callable[[Sequence[int]], Iterator[Trial]]
+    tables: Callable[[Sequence[Trial]], Iterator[str]] = _nothing
+
+
+EXPERIMENTS: Mapping[str, Experiment] = MappingProxyType(
+    {
+        "visit_targets": Experiment(trials=partial(taught_trials, "visit_targets")),
+        "transport": Experiment(trials=partial(taught_trials, "transport")),
+        "hierarchical": Experiment(trials=hierarchical_trials, tables=hierarchical_tables),
+    }
+)
+"""By name: §4.5.4.1, §4.5.4.3, §3.5.3."""
