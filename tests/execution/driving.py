@@ -5,15 +5,15 @@ from dataclasses import dataclass, replace
 from random import Random
 
 from understudy.behaviors import Action, Actuator, Instance, Memory, Parameter, Parameters, Skill, SkillSet
-from understudy.execution import Controller, Decision
-from understudy.network import Component, Nab, Network
+from understudy.execution import Controller
+from understudy.network import Case, Component, Nab, Network
 from understudy.perception import Percepts
 from understudy.robot import PIONEER
 
 from .reference import World
 from .strategies import SENSES, Scenario
 
-__all__ = ["Driven", "controller_of", "drive", "percepts_of"]
+__all__ = ["controller_of", "percepts_of"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -66,14 +66,6 @@ class Sensed(Spoken):
         return percepts.world.senses.get(f"possible {self.name}()", False)
 
 
-@dataclass(frozen=True, slots=True)
-class Driven:
-    """A controller after a scenario, with all that it decided."""
-
-    controller: Controller
-    decisions: list[Decision]
-
-
 def controller_of(scenario: Scenario) -> Controller:
     """A controller whose every component has a skill of its own."""
     skills = [Spoken(path, *scenario.behaviors[c.behavior]) for path, c in _behaviors(scenario.network)]
@@ -87,15 +79,6 @@ def percepts_of(scenario: Scenario, tick: int) -> WorldPercepts:
     history = scenario.history
     following = history[tick + 1] if tick + 1 < len(history) else World()
     return WorldPercepts(time_s=history[tick].time_s, world=history[tick], following=following)
-
-
-def drive(scenario: Scenario) -> Driven:
-    """Runs a scenario to its end."""
-    controller = controller_of(scenario)
-    decisions = [
-        controller.tick(percepts_of(scenario, tick), world.events) for tick, world in enumerate(scenario.history)
-    ]
-    return Driven(controller, decisions)
 
 
 def _behaviors(network: Network) -> list[tuple[str, Component]]:
@@ -113,7 +96,7 @@ def _with_own_behaviors(network: Network, prefix: str) -> Network:
     return Network(components, network.links, network.inhibitions)
 
 
-def _case(nab: Nab, index: int, prefix: str):  # type: ignore[no-untyped-def]
+def _case(nab: Nab, index: int, prefix: str) -> Case:
     case = nab.cases[index]
     inside = f"{prefix}{nab.id}/{case.name}/" if case.name else f"{prefix}{nab.id}/"
     return replace(case, network=_with_own_behaviors(case.network, inside))
