@@ -67,7 +67,7 @@ def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
     task, network = load_task(find_task(source))
     skills = installed_skills()
     if dot:
-        typer.echo(to_dot(network, name=task.name), nl=False)
+        typer.echo(to_dot(network, name=task.name, skills=skills), nl=False)
     elif as_json:
         typer.echo(task.model_dump_json(by_alias=True))
     else:
