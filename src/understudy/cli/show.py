@@ -10,7 +10,6 @@ from understudy.cli.options import Json
 from understudy.cli.tasks import find_task
 
 if TYPE_CHECKING:
-    from understudy.network import Network
     from understudy.recording import Outcome, Recording
 
 __all__ = ["command"]
@@ -80,17 +79,20 @@ def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
 
 def _recording(source: Path, picture: Path | None, as_json: bool) -> None:
     from understudy.errors import NetworkError, WorldError  # noqa: PLC0415
+    from understudy.execution import Event, Tally  # noqa: PLC0415
     from understudy.network import parse_task  # noqa: PLC0415
     from understudy.recording import outcome_of, read_recording  # noqa: PLC0415
 
     recording = read_recording(source)
     info = recording.info
-    network = outcome = None
+    network = outcome = missing = None
     if "task.yaml" in info.attachments:
         data = _attached(recording, "task.yaml", NetworkError)
         _, network = parse_task(data, source=f"{source}: task.yaml")
     if info.kind == "run":
         outcome = outcome_of(recording)
+        if network is not None:
+            missing = Tally(network, map(Event.from_record, recording.events())).missing
     cues = [(time_s, cue.value) for time_s, cue in recording.cues()]
     if as_json:
         record = {
@@ -107,14 +109,14 @@ def _recording(source: Path, picture: Path | None, as_json: bool) -> None:
                 "done": outcome.done,
                 "reason": outcome.reason or None,
                 "achieved": [{"component": id_, "time_s": time_s} for id_, time_s in outcome.achieved],
-                "missing": None if network is None else _missing(outcome, network),
+                "missing": missing,
             }
         typer.echo(json.dumps(record))
     else:
         whole = "" if info.complete else "; it breaks off, and was read as far as it goes"
         typer.echo(f"{info.name}: a {info.kind} of {info.duration_s:.1f} s{whole}")
         if outcome is not None:
-            _say_outcome(outcome, network)
+            _say_outcome(outcome, missing)
         typer.echo("  topics: " + ", ".join(sorted(info.topics)))
         for time_s, word in cues:
             typer.echo(f"  {time_s:6.1f} s  {word}")
@@ -147,18 +149,12 @@ def _attached(recording: "Recording", name: str, kind: Any) -> Any:
     return parse_text(text, source=source, kind=kind)
 
 
-def _missing(outcome: "Outcome", network: "Network") -> list[str]:
-    """The steps that were never achieved, in the task's order."""
-    reached = {id_ for id_, _ in outcome.achieved}
-    return [id_ for id_ in network.topological_order if id_ not in reached]
-
-
-def _say_outcome(outcome: "Outcome", network: "Network | None") -> None:
+def _say_outcome(outcome: "Outcome", missing: "tuple[str, ...] | None") -> None:
     words = str(outcome)
     typer.echo(f"  {words[0].upper()}{words[1:]}")
     for id_, time_s in outcome.achieved:
         typer.echo(f"  {time_s:6.1f} s  {id_}")
-    if network is not None and (missing := _missing(outcome, network)):
+    if missing:
         typer.echo(f"  not achieved: {', '.join(missing)}")
 
 
