@@ -31,6 +31,12 @@ _Picture = Annotated[
 def command(
     source: Annotated[Path, typer.Argument(help="A task document, a bundled task, or a recording (.mcap).")],
     picture: _Picture = None,
+    depth: Annotated[
+        int | None,
+        typer.Option(
+            min=0, help="How many networks in each other a task's picture shows from inside; all if left out."
+        ),
+    ] = None,
     dot: Annotated[bool, typer.Option("--dot", help="Print the task's network as Graphviz DOT.")] = False,
     as_json: Json = False,
 ) -> None:
@@ -40,11 +46,13 @@ def command(
         raise typer.BadParameter("--dot and --json both say what is printed; give one of them")
     if dot and recorded:
         raise typer.BadParameter("--dot prints the network of a task, and this is a recording; name a task document")
+    if depth is not None and (recorded or picture is None):
+        raise typer.BadParameter("--depth says how a task's picture is drawn; name a task, and give --picture")
     stem = None if picture is None else _stem(picture)
     if recorded:
         _recording(source, stem, as_json)
     else:
-        _task(source, stem, dot, as_json)
+        _task(source, stem, depth, dot, as_json)
 
 
 def _stem(picture: Path) -> Path:
@@ -58,7 +66,7 @@ def _stem(picture: Path) -> Path:
     return picture.with_suffix("") if suffix in _WRITTEN else picture
 
 
-def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
+def _task(source: Path, picture: Path | None, depth: int | None, dot: bool, as_json: bool) -> None:
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.figures import describe_task, to_dot  # noqa: PLC0415
     from understudy.network import load_task  # noqa: PLC0415
@@ -74,7 +82,7 @@ def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
     if picture is not None:
         from understudy.sessions.pictures import picture_task  # noqa: PLC0415
 
-        _say_written(picture_task(task.name, network, skills, picture), quiet=dot or as_json)
+        _say_written(picture_task(task.name, network, skills, picture, depth=depth), quiet=dot or as_json)
 
 
 def _recording(source: Path, picture: Path | None, as_json: bool) -> None:

@@ -115,7 +115,8 @@ def _told(events: Sequence[Event], begin: float) -> tuple[str, bool]:
 
 
 def _spells(changes: Sequence[tuple[float, object]], until: float) -> list[tuple[float, float, object]]:
-    """From each change to the next, and from the last one to the end."""
+    """From each change to the next, and from the last one to the end; what is told again is no change."""
+    changes = [one for index, one in enumerate(changes) if index == 0 or one[1] != changes[index - 1][1]]
     ends = [*(moment for moment, _ in changes[1:]), max([until, *(moment for moment, _ in changes[-1:])])]
     return [(start, end, value) for (start, value), end in zip(changes, ends, strict=False)]
 
