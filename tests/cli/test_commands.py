@@ -95,6 +95,14 @@ def test_a_task_that_was_not_done_exits_with_1(workspace: Path) -> None:
     assert "Not done: time limit of 0.5 s; missing: track-green-1" in done.stdout
 
 
+def test_a_picture_can_be_of_the_outside_only(tmp_path: Path) -> None:
+    for depth, name in (("0", "outside"), ("9", "inside")):
+        understudy("show", "hierarchical", "-p", name, "--depth", depth, folder=tmp_path)
+    assert (tmp_path / "outside.svg").stat().st_size < (tmp_path / "inside.svg").stat().st_size
+    refused = understudy("show", "hierarchical", "--depth", "1", folder=tmp_path, expect=2)
+    assert "give --picture" in refused.stderr
+
+
 def test_a_demonstration_without_done_says_where_it_stopped(tmp_path: Path) -> None:
     script = [{"say": "START"}, {"say": {"word": "HERE", "when_robot_within": 0.1, "of": [2.9, 2.9], "timeout": 3}}]
     (tmp_path / "stuck.yaml").write_text(world(teacher={"at": [1.3, 0.9], "script": script}), encoding="utf-8")

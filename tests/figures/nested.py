@@ -1,6 +1,7 @@
 """Tasks with networks in networks, and with every control there is, as the pictures' tests need them."""
 
 from tests.figures.samples import component, network
+from understudy.execution.trace import Event
 from understudy.network import (
     Achieved,
     After,
@@ -163,3 +164,76 @@ def large(count=60):
     kinds = ("ordering", "enabling", "permanent")
     pairs = [(a, a + by) for a in range(len(parts)) for by in (1, 3) if a + by < len(parts)]
     return network(parts, [(f"room-{a + 1}", f"room-{b + 1}", kinds[(a + b) % 3]) for a, b in pairs])
+
+
+def run_of_controls():
+    """A trace of :func:`controls` in which everything happens that can be told of."""
+    told = [
+        (0, "state", "green", {"state": "executing"}),
+        (0, "state", "look", {"state": "resting"}),
+        (0, "state", "greet/teacher", {"state": "unused"}),
+        (45, "timeout", "green", {"then": "skip"}),
+        (45, "state", "green", {"state": "skipped"}),
+        (45, "state", "patrol", {"state": "executing"}),
+        (45, "state", "patrol/pink", {"state": "searching"}),
+        (30, "called", "look", {}),
+        (50, "state", "look", {"state": "executing"}),
+        (50, "state", "patrol", {"state": "inhibited", "by": "look"}),
+        (58, "goal", "look", {"holds": True}),
+        (58, "achieved", "look", {"on_purpose": True}),
+        (58, "state", "look", {"state": "resting"}),
+        (58, "state", "patrol", {"state": "executing"}),
+        (58, "state", "patrol/pink", {"state": "executing"}),
+        (64, "goal", "patrol/pink", {"holds": True}),
+        (64, "achieved", "patrol/pink", {"on_purpose": True}),
+        (64, "state", "patrol/pink", {"state": "achieved"}),
+        (64, "state", "patrol/red", {"state": "executing"}),
+        (68, "goal", "patrol/pink", {"holds": False}),
+        (75, "achieved", "patrol/red", {"on_purpose": True}),
+        (75, "round", "patrol", {"number": 2}),
+        (75, "state", "patrol/red", {"state": "waiting"}),
+        (75, "state", "patrol/pink", {"state": "executing"}),
+        (80, "event", "", {"name": "bell"}),
+        (80, "called", "greet", {}),
+        (80, "state", "greet", {"state": "executing"}),
+        (80, "state", "greet/teacher", {"state": "executing"}),
+        (86, "achieved", "greet/teacher", {"on_purpose": True}),
+        (86, "state", "greet/teacher", {"state": "achieved"}),
+        (86, "achieved", "greet/drop", {"on_purpose": False}),
+        (86, "achieved", "greet", {"on_purpose": True}),
+        (86, "state", "greet", {"state": "resting"}),
+        (90, "achieved", "patrol/pink", {"on_purpose": True}),
+        (90, "state", "patrol/pink", {"state": "achieved"}),
+        (90, "state", "patrol/red", {"state": "executing"}),
+        (99, "achieved", "patrol/red", {"on_purpose": True}),
+        (99, "goal", "patrol", {"holds": True}),
+        (99, "achieved", "patrol", {"on_purpose": True}),
+        (99, "state", "patrol", {"state": "achieved"}),
+        (99, "state", "patrol/red", {"state": "achieved"}),
+        (99, "state", "pick-up", {"state": "executing"}),
+        (112, "goal", "pick-up", {"holds": True}),
+        (112, "achieved", "pick-up", {"on_purpose": True}),
+        (112, "state", "pick-up", {"state": "achieved"}),
+        (112, "complete", "", {}),
+    ]
+    return [
+        Event(time_s=float(time_s), kind=kind, component=path, detail=detail) for time_s, kind, path, detail in told
+    ]
+
+
+def run_of_delivery():
+    """A trace of :func:`delivery`: the box is fetched, lost on the way, fetched again and delivered."""
+    events = []
+    switches = ((8, "case", {"case": "empty"}), (25, "switch", {"to": "loaded"}), (38, "switch", {"to": "empty"}))
+    for time_s, kind, detail in (*switches, (52, "switch", {"to": "loaded"})):
+        events.append(Event(time_s=float(time_s), kind=kind, component="deliver", detail=detail))
+    reached = [("start", 8), ("deliver/empty/at-the-box", 16), ("deliver/empty/pick-up", 25)]
+    reached += [("deliver/loaded/at-the-door", 33), ("deliver/empty/at-the-box", 44), ("deliver/empty/pick-up", 52)]
+    reached += [("deliver/loaded/at-the-door", 60), ("deliver/loaded/at-the-goal", 70)]
+    begin = 0.0
+    for path, time_s in reached:
+        events.append(Event(time_s=begin, kind="state", component=path, detail={"state": "executing"}))
+        begin = float(time_s)
+        events.append(Event(time_s=begin, kind="achieved", component=path, detail={"on_purpose": True}))
+        events.append(Event(time_s=begin, kind="state", component=path, detail={"state": "achieved"}))
+    return events

@@ -1,6 +1,11 @@
 import re
 
+from hypothesis import given, settings
+
+from tests.execution.strategies import hierarchies
+from tests.figures import nested
 from tests.figures.samples import component, network, transport
+from understudy.behaviors import installed_skills
 from understudy.figures import to_dot
 from understudy.network import Network
 
@@ -33,3 +38,43 @@ def test_inhibitions_are_edges_of_their_own():
     made = transport()
     text = to_dot(Network(made.components, made.links, (("green", "yellow"),)))
     assert '"green" -> "yellow" [style=dotted, arrowhead=tee, constraint=false, tooltip=inhibits];' in text
+
+
+def test_networks_are_clusters_and_links_end_at_their_borders():
+    text = to_dot(nested.hierarchical())
+    assert "  compound=true;\n" in text
+    assert [line.strip() for line in text.splitlines() if "subgraph" in line] == [
+        'subgraph "cluster transport" {',
+        'subgraph "cluster transport/gate" {',
+        'subgraph "cluster visit" {',
+    ]
+    assert text.count(" -> ") == nested.hierarchical().link_count
+    assert (
+        '"transport/pick-up" -> "transport/gate" [style=solid, color="black:white:black", arrowhead=normal, '
+        'tooltip=permanent, lhead="cluster transport/gate"];' in text
+    )
+    assert 'ltail="cluster transport", lhead="cluster visit"];' in text
+    assert "compound" not in to_dot(transport())
+
+
+def test_cases_switches_and_controls():
+    text = to_dot(nested.delivery(), skills=installed_skills())
+    assert 'label="Deliver a box\\n3 times"; penwidth=3;' in text
+    assert 'label="a · loaded\\nif the orange box is in the gripper"; penwidth=1;' in text
+    assert '"deliver/empty/" -> "deliver/loaded/" [style="dashed,bold", arrowhead=empty, constraint=false, ' in text
+    assert 'label="when it is done", ltail="cluster deliver/empty/", lhead="cluster deliver/loaded/"];' in text
+    assert '"home" [label="Track blue\\n0.60 m, 90°\\n60 s, then skip", color="' in text
+
+
+@given(hierarchies())
+@settings(max_examples=40)
+def test_everything_is_there_once_and_every_brace_is_closed(made):
+    text = to_dot(made)
+    bare = re.sub(r'"(?:[^"\\]|\\.)*"', "S", text)
+    assert bare.count("{") == bare.count("}")
+    nodes = re.findall(r'^ *"((?:[^"\\]|\\.)*)" \[', text, flags=re.MULTILINE)
+    assert len(nodes) == len(set(nodes))
+    assert set(made.by_path) <= set(nodes)
+    # A line leads only from a node to a node.
+    ends = re.findall(r'^ *"((?:[^"\\]|\\.)*)" -> "((?:[^"\\]|\\.)*)" \[', text, flags=re.MULTILINE)
+    assert {end for pair in ends for end in pair} <= set(nodes)

@@ -20,6 +20,7 @@ from understudy.figures import (
     marks_of_cues,
     marks_of_run,
 )
+from understudy.figures.progress import rows_of
 from understudy.learning import learn
 from understudy.network import Network
 from understudy.robot import Cue
@@ -110,7 +111,12 @@ PICTURES = {
     "progress": lambda: progress(samples.transport(), "fetch"),
     "progress, not done": lambda: progress(samples.transport(), "fetch", "Not done: the time limit of 300 s."),
     "progress of labels": lambda: progress(samples.pancakes(), "pancakes"),
+    "progress of networks": lambda: draw_progress(nested.controls(), nested.run_of_controls(), 115.0, title="a patrol"),
+    "progress of cases": lambda: draw_progress(nested.delivery(), nested.run_of_delivery(), 75.0, title="a delivery"),
     "averaged": averaged,
+    "averaged networks": lambda: draw_progress_average(
+        nested.hierarchical(), [[(path, 7.0 * step) for step, path in enumerate(nested.hierarchical().by_path)]] * 3
+    ),
 }
 
 
@@ -192,6 +198,28 @@ def test_a_clock_that_began_long_ago_is_counted_from_the_start():
 def test_progress_gives_the_moments_since_the_beginning():
     texts = texts_of(progress(samples.visit(), "visit"))
     assert {"0.0 s", "8.0 s", "40.0 s", "complete 41.0 s"} <= set(texts)
+
+
+def test_progress_tells_of_every_part_and_round():
+    texts = texts_of(PICTURES["progress of networks"]())
+    assert {"1", "2.1", "2.2", "5.2", "skipped", "2×, last 90.0 s", "2", "58.0 s"} <= set(texts)
+    assert {"inhibited", "called", "out of time", "round or case begins"} <= set(texts)
+    assert not {"inhibited", "called", "round or case begins"} & set(texts_of(progress(samples.visit(), "visit")))
+    letters = texts_of(PICTURES["progress of cases"]())
+    assert (letters.count("b"), letters.count("a")) == (2, 2)
+
+
+def test_parts_stand_below_what_they_are_parts_of():
+    rows = rows_of(nested.hierarchical())
+    assert [row.number for row in rows.values()][:6] == ["1", "1.1", "1.2", "1.3", "1.3.1", "1.3.2"]
+    assert rows["transport"].indent < rows["transport/gate"].indent < rows["transport/gate/yellow"].indent
+
+
+def test_a_network_needs_no_mark_beside_those_of_its_steps():
+    marks = marks_of_run(nested.run_of_controls(), nested.controls())
+    assert [mark.text for mark in marks] == [
+        "Track yellow", "Track pink", "Track red", "Track blue", "Drop", "Track pink", "Track red", "PickUp orange",
+    ]  # fmt: skip
 
 
 def test_averages_are_those_of_the_runs_that_got_there():

@@ -36,9 +36,9 @@ def command(
     """Executes a task. Exit code 0 if it was done, 1 if not."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.documents import write_new  # noqa: PLC0415
-    from understudy.execution import compile_network  # noqa: PLC0415
-    from understudy.figures import goal_in_words  # noqa: PLC0415
-    from understudy.network import Component, load_task  # noqa: PLC0415
+    from understudy.execution import Tally, compile_network  # noqa: PLC0415
+    from understudy.figures import goal_in_words, numbers_of  # noqa: PLC0415
+    from understudy.network import load_task  # noqa: PLC0415
     from understudy.sessions import Workspace, perform  # noqa: PLC0415
     from understudy.sim import rearranged  # noqa: PLC0415
 
@@ -51,13 +51,13 @@ def command(
         room = rearranged(room, rearrange)
     place = Workspace(workspace)
     stem = place.free(f"{document.name} run", ".mcap", ".json")
-    steps = {path for path, part in network.walk() if isinstance(part, Component)}
-    reached: list[str] = []
+    tally = Tally(network)
     with progress(f"running {document.name}", limit) as say:
 
         def watch(percepts: "Percepts", decision: "Decision") -> None:
-            reached.extend(event.component for event in decision.events if event.kind == "achieved")
-            say(percepts.time_s, f"{len(steps.intersection(reached))} of {len(steps)} steps")
+            for event in decision.events:
+                tally.add(event)
+            say(percepts.time_s, str(tally))
 
         performed = perform(
             document.name,
@@ -75,13 +75,14 @@ def command(
     if as_json:
         typer.echo(json.dumps(record))
     else:
-        for id_, time_s in performed.report.achieved:
-            typer.echo(f"  achieved at {time_s:6.1f} s: {goal_in_words(network.by_path[id_], skills)}")
+        numbers = numbers_of(network)
+        for path, time_s in performed.report.achieved:
+            number = "" if network.flat else f"{numbers[path]}. "
+            typer.echo(f"  achieved at {time_s:6.1f} s: {number}{goal_in_words(network.by_path[path], skills)}")
         if performed.report.done:
             typer.echo(f"Done after {performed.report.duration_s:.1f} s.")
         else:
-            missing = [c.id for c in network.components if c.id not in reached]
-            left = f"missing: {', '.join(missing)}" if missing else "the last step was still being finished"
+            left = f"missing: {', '.join(tally.missing)}" if tally.missing else "the last step was still being finished"
             stopped_by = performed.report.stopped_by
             why = f"{stopped_by} ran out of time" if stopped_by else f"time limit of {limit:g} s"
             typer.echo(f"Not done: {why}; {left}")

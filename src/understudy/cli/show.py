@@ -10,7 +10,6 @@ from understudy.cli.options import Json
 from understudy.cli.tasks import find_task
 
 if TYPE_CHECKING:
-    from understudy.network import Network
     from understudy.recording import Outcome, Recording
 
 __all__ = ["command"]
@@ -32,6 +31,12 @@ _Picture = Annotated[
 def command(
     source: Annotated[Path, typer.Argument(help="A task document, a bundled task, or a recording (.mcap).")],
     picture: _Picture = None,
+    depth: Annotated[
+        int | None,
+        typer.Option(
+            min=0, help="How many networks in each other a task's picture shows from inside; all if left out."
+        ),
+    ] = None,
     dot: Annotated[bool, typer.Option("--dot", help="Print the task's network as Graphviz DOT.")] = False,
     as_json: Json = False,
 ) -> None:
@@ -41,11 +46,13 @@ def command(
         raise typer.BadParameter("--dot and --json both say what is printed; give one of them")
     if dot and recorded:
         raise typer.BadParameter("--dot prints the network of a task, and this is a recording; name a task document")
+    if depth is not None and (recorded or picture is None):
+        raise typer.BadParameter("--depth says how a task's picture is drawn; name a task, and give --picture")
     stem = None if picture is None else _stem(picture)
     if recorded:
         _recording(source, stem, as_json)
     else:
-        _task(source, stem, dot, as_json)
+        _task(source, stem, depth, dot, as_json)
 
 
 def _stem(picture: Path) -> Path:
@@ -59,7 +66,7 @@ def _stem(picture: Path) -> Path:
     return picture.with_suffix("") if suffix in _WRITTEN else picture
 
 
-def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
+def _task(source: Path, picture: Path | None, depth: int | None, dot: bool, as_json: bool) -> None:
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.figures import describe_task, to_dot  # noqa: PLC0415
     from understudy.network import load_task  # noqa: PLC0415
@@ -67,7 +74,7 @@ def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
     task, network = load_task(find_task(source))
     skills = installed_skills()
     if dot:
-        typer.echo(to_dot(network, name=task.name), nl=False)
+        typer.echo(to_dot(network, name=task.name, skills=skills), nl=False)
     elif as_json:
         typer.echo(task.model_dump_json(by_alias=True))
     else:
@@ -75,22 +82,25 @@ def _task(source: Path, picture: Path | None, dot: bool, as_json: bool) -> None:
     if picture is not None:
         from understudy.sessions.pictures import picture_task  # noqa: PLC0415
 
-        _say_written(picture_task(task.name, network, skills, picture), quiet=dot or as_json)
+        _say_written(picture_task(task.name, network, skills, picture, depth=depth), quiet=dot or as_json)
 
 
 def _recording(source: Path, picture: Path | None, as_json: bool) -> None:
     from understudy.errors import NetworkError, WorldError  # noqa: PLC0415
+    from understudy.execution import Event, Tally  # noqa: PLC0415
     from understudy.network import parse_task  # noqa: PLC0415
     from understudy.recording import outcome_of, read_recording  # noqa: PLC0415
 
     recording = read_recording(source)
     info = recording.info
-    network = outcome = None
+    network = outcome = missing = None
     if "task.yaml" in info.attachments:
         data = _attached(recording, "task.yaml", NetworkError)
         _, network = parse_task(data, source=f"{source}: task.yaml")
     if info.kind == "run":
         outcome = outcome_of(recording)
+        if network is not None:
+            missing = Tally(network, map(Event.from_record, recording.events())).missing
     cues = [(time_s, cue.value) for time_s, cue in recording.cues()]
     if as_json:
         record = {
@@ -107,14 +117,14 @@ def _recording(source: Path, picture: Path | None, as_json: bool) -> None:
                 "done": outcome.done,
                 "reason": outcome.reason or None,
                 "achieved": [{"component": id_, "time_s": time_s} for id_, time_s in outcome.achieved],
-                "missing": None if network is None else _missing(outcome, network),
+                "missing": missing,
             }
         typer.echo(json.dumps(record))
     else:
         whole = "" if info.complete else "; it breaks off, and was read as far as it goes"
         typer.echo(f"{info.name}: a {info.kind} of {info.duration_s:.1f} s{whole}")
         if outcome is not None:
-            _say_outcome(outcome, network)
+            _say_outcome(outcome, missing)
         typer.echo("  topics: " + ", ".join(sorted(info.topics)))
         for time_s, word in cues:
             typer.echo(f"  {time_s:6.1f} s  {word}")
@@ -147,18 +157,12 @@ def _attached(recording: "Recording", name: str, kind: Any) -> Any:
     return parse_text(text, source=source, kind=kind)
 
 
-def _missing(outcome: "Outcome", network: "Network") -> list[str]:
-    """The steps that were never achieved, in the task's order."""
-    reached = {id_ for id_, _ in outcome.achieved}
-    return [id_ for id_ in network.topological_order if id_ not in reached]
-
-
-def _say_outcome(outcome: "Outcome", network: "Network | None") -> None:
+def _say_outcome(outcome: "Outcome", missing: "tuple[str, ...] | None") -> None:
     words = str(outcome)
     typer.echo(f"  {words[0].upper()}{words[1:]}")
     for id_, time_s in outcome.achieved:
         typer.echo(f"  {time_s:6.1f} s  {id_}")
-    if network is not None and (missing := _missing(outcome, network)):
+    if missing:
         typer.echo(f"  not achieved: {', '.join(missing)}")
 
 

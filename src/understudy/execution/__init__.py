@@ -10,6 +10,7 @@ from understudy.execution.history import History, StateChange
 from understudy.execution.ports import Ports
 from understudy.execution.program import Arc, Node, Program, compile_network
 from understudy.execution.run import RunReport, run_network
+from understudy.execution.tally import Tally
 from understudy.execution.trace import Event, State
 
 __all__ = [
@@ -31,6 +32,7 @@ __all__ = [
     "State",
     "StateChange",
     "Step",
+    "Tally",
     "compile_network",
     "explain",
     "run_network",

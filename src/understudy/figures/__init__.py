@@ -11,7 +11,9 @@ if TYPE_CHECKING:
     from understudy.figures.dot import to_dot
     from understudy.figures.network import draw_network
     from understudy.figures.network_layout import Layout, Place, layout
-    from understudy.figures.progress import draw_progress, draw_progress_average
+    from understudy.figures.numbering import numbers_of
+    from understudy.figures.progress import draw_progress
+    from understudy.figures.progress_average import draw_progress_average
     from understudy.figures.saving import save
     from understudy.figures.timeline import draw_observations
     from understudy.figures.trajectories import Mark, Trajectory, marks_of_cues, marks_of_run
@@ -37,6 +39,7 @@ __all__ = [
     "layout",
     "marks_of_cues",
     "marks_of_run",
+    "numbers_of",
     "save",
     "to_dot",
 ]
@@ -46,7 +49,9 @@ _HOMES = {
     "dot": ("to_dot",),
     "network": ("draw_network",),
     "network_layout": ("Layout", "Place", "layout"),
-    "progress": ("draw_progress", "draw_progress_average"),
+    "numbering": ("numbers_of",),
+    "progress": ("draw_progress",),
+    "progress_average": ("draw_progress_average",),
     "saving": ("save",),
     "timeline": ("draw_observations",),
     "trajectories": ("Mark", "Trajectory", "marks_of_cues", "marks_of_run"),

@@ -38,6 +38,23 @@ _LONG_AGO_S = 1e5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Row:
+    """One row: its label, and how much room it takes below its bar.
+
+    Attributes:
+        label: to the left.
+        number: before the label, where rows are steps.
+        indent: how much farther to the right both stand, points.
+        below: points.
+    """
+
+    label: Label
+    number: str = ""
+    indent: float = 0.0
+    below: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class TimeAxis:
     """Where moments are on the sheet.
 
@@ -56,13 +73,16 @@ class TimeAxis:
     zero: float = 0.0
 
     @classmethod
-    def beside(cls, labels: Sequence[Label], start: float, end: float, *, numbered: bool = False) -> "TimeAxis":
-        """An axis to the right of the labels."""
+    def beside(cls, rows: Sequence[Row], start: float, end: float) -> "TimeAxis":
+        """An axis to the right of the rows' labels."""
         widest = 0.0
-        for label in labels:
-            widest = max([widest, *(text_width(line, BODY, "bold") for line in _title(label))])
-            widest = max([widest, *(text_width(line, SMALL) for line in _details(label))])
-        indent = _MARGIN + (_NUMBER if numbered else 0.0) + (_CHIP if any(label.color for label in labels) else 0.0)
+        for row in rows:
+            lines = [text_width(line, BODY, "bold") for line in _title(row.label)]
+            lines += [text_width(line, SMALL) for line in _details(row.label)]
+            widest = max([widest, *(row.indent + line for line in lines)])
+        number = max((text_width(row.number, SMALL) for row in rows), default=0.0)
+        indent = _MARGIN + (max(_NUMBER, number + 6.0) if number else 0.0)
+        indent += _CHIP if any(row.label.color for row in rows) else 0.0
         left = indent + widest + 16.0
         zero = start if abs(start) >= _LONG_AGO_S else 0.0
         end = max(end, start + 1e-3)
@@ -72,21 +92,6 @@ class TimeAxis:
         """Where a moment is; what lies outside is drawn at the edge."""
         part = (min(max(time_s, self.start), self.end) - self.start) / (self.end - self.start)
         return self.left + part * (self.right - self.left)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Row:
-    """One row: its label, and how much room it takes below its bar.
-
-    Attributes:
-        label: to the left.
-        number: before the label, where rows are steps.
-        below: points.
-    """
-
-    label: Label
-    number: str = ""
-    below: float = 0.0
 
 
 Drawing = Callable[[Sheet, float, float], None]
@@ -161,13 +166,14 @@ class Chart:
     def _label(self, row: Row, middle: float) -> None:
         title, details = _title(row.label), _details(row.label)
         y = middle - _LINE * (len(title) + len(details) - 1) / 2
-        self.sheet.text(_MARGIN, y, row.number, size=SMALL, color=MUTED)
-        self.sheet.chip(self.axis.indent - _CHIP, y, row.label.color, size=9.0)
+        left = self.axis.indent + row.indent
+        self.sheet.text(_MARGIN + row.indent, y, row.number, size=SMALL, color=MUTED)
+        self.sheet.chip(left - _CHIP, y, row.label.color, size=9.0)
         for line in title:
-            self.sheet.text(self.axis.indent, y, line, weight="bold")
+            self.sheet.text(left, y, line, weight="bold")
             y += _LINE
         for line in details:
-            self.sheet.text(self.axis.indent, y, line, size=SMALL, color=MUTED)
+            self.sheet.text(left, y, line, size=SMALL, color=MUTED)
             y += _LINE
 
     def _rule(self, y: float) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from understudy.network import Case, Nab, Network
 
-__all__ = ["cases_of", "duties_of", "letter", "numbers_of", "sequence_of", "told_order"]
+__all__ = ["cases_of", "duties_of", "letters_of", "numbers_of", "sequence_of", "told_order"]
 
 
 def sequence_of(network: Network) -> tuple[str, ...]:
@@ -29,13 +29,18 @@ def cases_of(path: str, nab: Nab) -> Iterator[tuple[str, str, Case]]:
     """The cases of the NAB at a path, with what the paths inside begin with, and its letter if there are several."""
     for index, case in enumerate(nab.cases):
         inside = "/".join(filter(None, (path, case.name)))
-        yield f"{inside}/", letter(index) if len(nab.cases) > 1 else "", case
+        yield f"{inside}/", _letter(index) if len(nab.cases) > 1 else "", case
 
 
-def letter(index: int) -> str:
+def letters_of(nab: Nab) -> dict[str, str]:
+    """The letters of a NAB's cases by their names; empty for its only one."""
+    return {case.name: lettered for _, lettered, case in cases_of("", nab)}
+
+
+def _letter(index: int) -> str:
     """``a`` to ``z``, then ``aa``."""
     first, last = divmod(index, 26)
-    return (letter(first - 1) if first else "") + "abcdefghijklmnopqrstuvwxyz"[last]
+    return (_letter(first - 1) if first else "") + "abcdefghijklmnopqrstuvwxyz"[last]
 
 
 def numbers_of(network: Network, *, inside: str = "", before: str = "") -> dict[str, str]:

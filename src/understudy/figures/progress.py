@@ -1,22 +1,23 @@
-"""How a run went, over time (Figure 4.14), and how long many runs took on average (Figure 4.9)."""
+"""How a run went, over time (Figure 4.14): a row for every step, those of a network below the network's own."""
 
-from collections.abc import Iterable, Sequence
-from statistics import fmean, stdev
+from collections.abc import Callable, Iterable, Sequence
 
 from matplotlib.figure import Figure
 
 from understudy.execution.trace import Event, State
 from understudy.figures.chart import BAR, Chart, Drawing, KeyItem, Row, TimeAxis, bar_colors
 from understudy.figures.labels import label_of
+from understudy.figures.numbering import letters_of, numbers_of
 from understudy.figures.sheet import Sheet
-from understudy.figures.style import FAINT, INK, MUTED, PAPER, SMALL, SOFT, blend
-from understudy.network import Network
+from understudy.figures.style import FAINT, INK, MUTED, PAPER, SMALL, text_width
+from understudy.network import Nab, Network
 
-__all__ = ["draw_progress", "draw_progress_average"]
+__all__ = ["draw_progress", "rows_of"]
 
 _EXECUTING = "#c6cdd6"
 _GOAL = 8.0
 """Height of the bar that shows when a goal held; the robot's doings fill the row behind it."""
+_INDENT = 11.0
 
 
 def draw_progress(
@@ -38,29 +39,48 @@ def draw_progress(
         title: above.
         subtitle: below it, for example why the task was not done.
     """
-    order = network.topological_order
     events = sorted(events, key=lambda event: event.time_s)
-    labels = [label_of(network.by_id[id_]) for id_ in order]
-    axis = TimeAxis.beside(labels, 0.0, duration, numbered=True)
-    rows = [Row(label=label, number=str(step)) for step, label in enumerate(labels, start=1)]
-    chart = Chart(axis, rows, title=title, subtitle=subtitle, above=10.0, right=58.0, key=_KEY)
+    rows = rows_of(network)
+    mine: dict[str, list[Event]] = {path: [] for path in rows}
+    for event in events:
+        if event.component in mine:
+            mine[event.component].append(event)
+    told = {path: _told(mine[path], begin) for path in rows}
+    right = max((text_width(text, 9.0) for text, _ in told.values()), default=0.0)
+    axis = TimeAxis.beside(list(rows.values()), 0.0, duration)
+    chart = Chart(
+        axis,
+        list(rows.values()),
+        title=title,
+        subtitle=subtitle,
+        above=10.0,
+        right=max(58.0, right + 16.0),
+        key=_key(events),
+    )
     sheet = chart.sheet
-    for id_, label, middle in zip(order, labels, chart.middles, strict=True):
-        mine = [event for event in events if event.component == id_]
-        states = [(event.time_s - begin, event.detail.get("state")) for event in mine if event.kind == "state"]
+    for (path, row), middle in zip(rows.items(), chart.middles, strict=True):
+        states = [(event.time_s - begin, event.detail.get("state")) for event in mine[path] if event.kind == "state"]
         for start, end, state in _spells(states, duration):
             _doing(sheet, axis.x(start), axis.x(end), middle, str(state))
-        goals = [(event.time_s - begin, bool(event.detail.get("holds"))) for event in mine if event.kind == "goal"]
+        goals = [
+            (event.time_s - begin, bool(event.detail.get("holds"))) for event in mine[path] if event.kind == "goal"
+        ]
         for start, end, holds in _spells(goals, duration):
             if holds:
-                fill, border = bar_colors(label) if label.color else (MUTED, MUTED)
+                fill, border = bar_colors(row.label) if row.label.color else (MUTED, MUTED)
                 width = max(axis.x(end) - axis.x(start), 1.2)
                 sheet.rectangle(axis.x(start), middle - _GOAL / 2, width, _GOAL, fill=fill, border=border, z=3)
-        for event in mine:
+        for event in mine[path]:
             if event.kind == "achieved":
-                moment = event.time_s - begin
-                _diamond(sheet, axis.x(moment), middle, found=not event.detail.get("on_purpose", True))
-                sheet.text(sheet.width - 26.0, middle, f"{moment:.1f} s", align="right")
+                _diamond(sheet, axis.x(event.time_s - begin), middle, found=not event.detail.get("on_purpose", True))
+            elif event.kind in _MARKS:
+                _MARKS[event.kind](sheet, axis.x(event.time_s - begin), middle)
+        text, quiet = told[path]
+        sheet.text(sheet.width - 26.0, middle, text, color=MUTED if quiet else INK, align="right")
+    for path, component in network.walk():
+        if isinstance(component, Nab):
+            middle = chart.middles[list(rows).index(path)]
+            _beginnings(sheet, axis, mine[path], begin, letters_of(component), middle)
     for event in events:
         if event.kind == "complete":
             x = axis.x(event.time_s - begin)
@@ -71,71 +91,72 @@ def draw_progress(
     return chart.figure
 
 
-def draw_progress_average(
-    network: Network, runs: Sequence[Sequence[tuple[str, float]]], *, title: str = "averaged progress"
-) -> Figure:
-    """Draw when the steps were achieved in several runs: every run a dot, the mean, and one standard deviation.
+def rows_of(network: Network, *, below: float = 0.0) -> dict[str, Row]:
+    """A row for every component, by path, in the order of their numbers; parts stand below what they are parts of.
 
     Args:
         network: the task.
-        runs: for every run the achieved components with their moments, as in :attr:`RunReport.achieved`.
-        title: above.
+        below: how much room each takes below its bar, points.
     """
-    order = network.topological_order
-    labels = [label_of(network.by_id[id_]) for id_ in order]
-    times = {id_: [moment for run in runs for one, moment in run if one == id_] for id_ in order}
-    latest = max((moment for moments in times.values() for moment in moments), default=1.0)
-    axis = TimeAxis.beside(labels, 0.0, latest * 1.04, numbered=True)
-    rows = [Row(label=label, number=str(step), below=4.0) for step, label in enumerate(labels, start=1)]
-    chart = Chart(axis, rows, title=title, right=128.0, key=_AVERAGE_KEY)
-    sheet = chart.sheet
-    means = []
-    for id_, label, middle in zip(order, labels, chart.middles, strict=True):
-        moments = times[id_]
-        summary = f"{len(moments)} of {len(runs)}"
-        if moments:
-            mean = fmean(moments)
-            spread = stdev(moments) if len(moments) > 1 else 0.0
-            means.append((axis.x(mean), middle))
-            fill, border = bar_colors(label)
-            left, right = axis.x(mean - spread), axis.x(mean + spread)
-            sheet.rectangle(
-                left, middle - BAR / 2, max(right - left, 0.8), BAR, fill=blend(fill, PAPER, 0.62), border="none", z=2.5
-            )
-            for end in (left, right):
-                sheet.line(
-                    [(end, middle - BAR / 2), (end, middle + BAR / 2)], color=border, width=1.0, cap="butt", z=2.6
-                )
-            for index, moment in enumerate(moments):
-                # Side by side in height, so that equal moments are still several dots.
-                y = middle + (index - (len(moments) - 1) / 2) * min(2.6, (BAR - 4.0) / len(moments))
-                sheet.disc(axis.x(moment), y, 2.0, fill=border, border=PAPER, line=0.5, z=3)
-            sheet.line(
-                [(axis.x(mean), middle - BAR / 2 - 2), (axis.x(mean), middle + BAR / 2 + 2)],
-                width=2.2,
-                cap="butt",
-                z=3.5,
-            )
-            sheet.text(axis.right + 12, middle, f"{mean:.1f} s ± {spread:.1f} s")
-        sheet.text(sheet.width - 26.0, middle, summary, size=SMALL, color=MUTED, align="right")
-    if len(means) > 1:
-        sheet.line(means, color=FAINT, width=1.0, dashes=(2.0, 2.0), z=2.2)
-    return chart.figure
+    return {
+        path: Row(label=label_of(network.by_path[path]), number=number, indent=_INDENT * number.count("."), below=below)
+        for path, number in numbers_of(network).items()
+    }
+
+
+def _told(events: Sequence[Event], begin: float) -> tuple[str, bool]:
+    """What stands to the right of a row, and whether it is no achievement."""
+    moments = [event.time_s - begin for event in events if event.kind == "achieved"]
+    if moments:
+        times = f"{len(moments)}×, last " if len(moments) > 1 else ""
+        return f"{times}{moments[-1]:.1f} s", False
+    skipped = any(event.kind == "state" and event.detail.get("state") == State.SKIPPED for event in events)
+    return ("skipped", True) if skipped else ("", True)
 
 
 def _spells(changes: Sequence[tuple[float, object]], until: float) -> list[tuple[float, float, object]]:
-    """From each change to the next, and from the last one to the end."""
+    """From each change to the next, and from the last one to the end; what is told again is no change."""
+    changes = [one for index, one in enumerate(changes) if index == 0 or one[1] != changes[index - 1][1]]
     ends = [*(moment for moment, _ in changes[1:]), max([until, *(moment for moment, _ in changes[-1:])])]
     return [(start, end, value) for (start, value), end in zip(changes, ends, strict=False)]
 
 
+def _beginnings(
+    sheet: Sheet, axis: TimeAxis, events: Sequence[Event], begin: float, letters: dict[str, str], middle: float
+) -> None:
+    """The rounds of a loop and the cases that are begun, each by its number and letter, where there is room for it."""
+    moments: dict[float, str] = {}
+    for event in events:
+        moment = event.time_s - begin
+        if event.kind == "round":
+            moments[moment] = f"{event.detail.get('number')}{moments.get(moment, '')}"
+        elif event.kind in ("case", "switch"):
+            moments[moment] = moments.get(moment, "") + letters.get(
+                str(event.detail.get("case", event.detail.get("to"))), ""
+            )
+    free = axis.left
+    for moment, text in sorted(moments.items()):
+        x = axis.x(moment)
+        sheet.line([(x, middle - BAR / 2), (x, middle + BAR / 2)], color=INK, width=1.2, cap="butt", z=4)
+        width = text_width(text, SMALL, "bold")
+        if x + 3.0 >= free and x + 3.0 + width < axis.right:
+            sheet.text(x + 3.0, middle, text, size=SMALL, weight="bold", halo=2.0)
+            free = x + width + 6.0
+
+
 def _doing(sheet: Sheet, left: float, right: float, middle: float, state: str) -> None:
-    if state == State.EXECUTING:
-        sheet.rectangle(left, middle - BAR / 2, right - left, BAR, fill=_EXECUTING, z=2)
-    elif state == State.SEARCHING:
-        sheet.rectangle(
-            left, middle - BAR / 2, right - left, BAR, fill=PAPER, border=FAINT, hatch="/////", line=0.6, z=2
-        )
+    top, width = middle - BAR / 2, right - left
+    match state:
+        case State.EXECUTING:
+            sheet.rectangle(left, top, width, BAR, fill=_EXECUTING, z=2)
+        case State.SEARCHING:
+            sheet.rectangle(left, top, width, BAR, fill=PAPER, border=FAINT, hatch="/////", line=0.6, z=2)
+        case State.INHIBITED:
+            sheet.rectangle(left, top, width, BAR, fill=PAPER, border=FAINT, hatch="....", line=0.6, z=2)
+        case State.SKIPPED:
+            sheet.line([(left, middle), (right, middle)], color=MUTED, width=1.2, dashes=(1.2, 2.2), cap="butt")
+        case _:
+            pass
 
 
 def _diamond(sheet: Sheet, x: float, y: float, *, found: bool) -> None:
@@ -143,6 +164,20 @@ def _diamond(sheet: Sheet, x: float, y: float, *, found: bool) -> None:
     sheet.polygon(
         corners, fill=PAPER if found else INK, border=INK if found else PAPER, line=1.2 if found else 0.8, z=5
     )
+
+
+def _called(sheet: Sheet, x: float, y: float) -> None:
+    """A duty is called."""
+    sheet.polygon([(x - 4.0, y - 8.0), (x + 4.0, y - 8.0), (x, y - 2.5)], fill=PAPER, border=INK, line=1.1, z=4.5)
+
+
+def _timed_out(sheet: Sheet, x: float, y: float) -> None:
+    """A component runs out of its time."""
+    for slope in (1, -1):
+        sheet.line([(x - 3.6, y - 3.6 * slope), (x + 3.6, y + 3.6 * slope)], color=INK, width=1.6, z=4.5)
+
+
+_MARKS: dict[str, Callable[[Sheet, float, float], None]] = {"called": _called, "timeout": _timed_out}
 
 
 def _goal_sample(sheet: Sheet, x: float, y: float) -> None:
@@ -157,22 +192,37 @@ def _diamond_sample(found: bool) -> Drawing:
     return lambda sheet, x, y: _diamond(sheet, x + 10.0, y, found=found)
 
 
-def _dot_sample(sheet: Sheet, x: float, y: float) -> None:
-    sheet.disc(x + 10.0, y, 2.0, fill=MUTED, border=PAPER, line=0.5)
+def _mark_sample(kind: str) -> Drawing:
+    lower = 5.0 if kind == "called" else 0.0  # it stands above the middle of its row
+    return lambda sheet, x, y: _MARKS[kind](sheet, x + 10.0, y + lower)
 
 
-def _mean_sample(sheet: Sheet, x: float, y: float) -> None:
-    sheet.rectangle(x, y - 5.0, 20.0, 10.0, fill=blend(SOFT, PAPER, 0.3))
-    for end in (x, x + 20.0):
-        sheet.line([(end, y - 5.0), (end, y + 5.0)], color=MUTED, width=1.0, cap="butt", z=3)
-    sheet.line([(x + 10.0, y - 6.5), (x + 10.0, y + 6.5)], width=2.2, cap="butt", z=3)
+def _beginning_sample(sheet: Sheet, x: float, y: float) -> None:
+    sheet.line([(x + 4.0, y - BAR / 2), (x + 4.0, y + BAR / 2)], color=INK, width=1.2, cap="butt")
+    sheet.text(x + 7.0, y, "2a", size=SMALL, weight="bold")
 
 
-_KEY: list[KeyItem] = [
-    (_goal_sample, "its goal holds"),
-    (_doing_sample(State.EXECUTING), "executing"),
-    (_doing_sample(State.SEARCHING), "searching"),
-    (_diamond_sample(False), "achieved on purpose"),
-    (_diamond_sample(True), "already so when its turn came"),
-]
-_AVERAGE_KEY: list[KeyItem] = [(_dot_sample, "one run"), (_mean_sample, "mean ± standard deviation")]
+def _key(events: Sequence[Event]) -> list[KeyItem]:
+    """What always may occur, and what does."""
+    states = {event.detail.get("state") for event in events if event.kind == "state"}
+    kinds = {event.kind for event in events}
+    key: list[KeyItem] = [
+        (_goal_sample, "its goal holds"),
+        (_doing_sample(State.EXECUTING), "executing"),
+        (_doing_sample(State.SEARCHING), "searching"),
+    ]
+    if State.INHIBITED in states:
+        key.append((_doing_sample(State.INHIBITED), "inhibited"))
+    if State.SKIPPED in states:
+        key.append((_doing_sample(State.SKIPPED), "skipped"))
+    key += [
+        (_diamond_sample(False), "achieved on purpose"),
+        (_diamond_sample(True), "already so when its turn came"),
+    ]
+    if kinds & {"round", "case", "switch"}:
+        key.append((_beginning_sample, "round or case begins"))
+    if "called" in kinds:
+        key.append((_mark_sample("called"), "called"))
+    if "timeout" in kinds:
+        key.append((_mark_sample("timeout"), "out of time"))
+    return key

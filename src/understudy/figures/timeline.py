@@ -91,7 +91,7 @@ def _draw(bars: Sequence[_Bar], words: Sequence[tuple[float, Cue]], start: float
         instance = bar.observed.instance
         named = label(instance.behavior, dict(instance.parameters))
         rows.setdefault(instance, _Line(label=named, bars=[], lanes=[])).bars.append(bar)
-    axis = TimeAxis.beside([row.label for row in rows.values()], start, end)
+    axis = TimeAxis.beside([Row(label=row.label) for row in rows.values()], start, end)
     for row in rows.values():
         spans = [_print_span(axis, bar) for bar in row.bars]
         taken = iter(lanes([span for span in spans if span is not None]))

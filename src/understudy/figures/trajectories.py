@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from understudy.execution.trace import Event
 from understudy.figures.labels import label_of
 from understudy.geometry import Point, Pose
-from understudy.network import Network
+from understudy.network import Component, Network
 from understudy.robot import Cue
 
 __all__ = ["Mark", "Trajectory", "marks_of_cues", "marks_of_run"]
@@ -91,11 +91,12 @@ class Mark:
 
 
 def marks_of_run(events: Iterable[Event], network: Network, *, on: str = "") -> tuple[Mark, ...]:
-    """A mark for every step that was achieved."""
+    """A mark for every step that was achieved. A network is achieved where its last step is, and needs no own mark."""
     marks = []
     for event in events:
-        if event.kind == "achieved":
-            named = label_of(network.by_id[event.component])
+        component = network.by_path.get(event.component)
+        if event.kind == "achieved" and isinstance(component, Component):
+            named = label_of(component)
             found = not event.detail.get("on_purpose", True)
             marks.append(Mark(time_s=event.time_s, text=named.title, color=named.color, on=on, found=found))
     return tuple(marks)

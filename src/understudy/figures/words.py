@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from understudy.behaviors import Skill
 from understudy.figures.labels import clean
-from understudy.figures.numbering import cases_of, duties_of, sequence_of
+from understudy.figures.numbering import cases_of, duties_of, letters_of, sequence_of
 from understudy.figures.words_controls import Wording, in_the_end
 from understudy.figures.words_goals import goal_in_words, listed
 from understudy.network import Component, LinkType, Nab, Network
@@ -112,7 +112,7 @@ class _Telling:
             lines += self.network(case.network, inside, margin)
         if all(case.when is not None for case in nab.cases):
             lines.append(f"{margin}otherwise there is nothing to do")
-        letters = {case.name: letter for _, letter, case in cases_of(path, nab)}
+        letters = letters_of(nab)
         for source, target, when in self.wording.switches(path, nab):
             again = "begin it anew" if source == target else f"go over to case {letters[target]}"
             where = f"in case {letters[source]}, " if letters[source] else ""

@@ -60,9 +60,11 @@ def picture_demonstration(taught: Taught, lesson: Lesson, stem: Path) -> list[Pa
     ]
 
 
-def picture_task(name: str, network: Network, skills: Mapping[str, Skill], stem: Path) -> list[Path]:
-    """The behavior network (Figure 4.13)."""
-    return save(draw_network(network, skills=skills, title=name), stem)
+def picture_task(
+    name: str, network: Network, skills: Mapping[str, Skill], stem: Path, *, depth: int | None = None
+) -> list[Path]:
+    """The behavior network (Figure 4.13); down to which depth networks are shown from inside, or all of them."""
+    return save(draw_network(network, skills=skills, title=name, depth=depth), stem)
 
 
 def picture_run(performed: Performed, network: Network, stem: Path) -> list[Path]:
