@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from random import Random
 
 from understudy.behaviors import Action, Actuator, Instance, Memory, Parameter, Parameters, Skill, SkillSet
-from understudy.execution import Controller
+from understudy.execution import Controller, Decision
 from understudy.network import Case, Component, Nab, Network
 from understudy.perception import Percepts
 from understudy.robot import PIONEER
@@ -13,7 +13,7 @@ from understudy.robot import PIONEER
 from .reference import World
 from .strategies import SENSES, Scenario
 
-__all__ = ["controller_of", "percepts_of"]
+__all__ = ["Driven", "controller_of", "drive", "percepts_of"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -66,6 +66,14 @@ class Sensed(Spoken):
         return percepts.world.senses.get(f"possible {self.name}()", False)
 
 
+@dataclass(frozen=True, slots=True)
+class Driven:
+    """A controller after a scenario, with all that it decided."""
+
+    controller: Controller
+    decisions: list[Decision]
+
+
 def controller_of(scenario: Scenario) -> Controller:
     """A controller whose every component has a skill of its own."""
     skills = [Spoken(path, *scenario.behaviors[c.behavior]) for path, c in _behaviors(scenario.network)]
@@ -79,6 +87,15 @@ def percepts_of(scenario: Scenario, tick: int) -> WorldPercepts:
     history = scenario.history
     following = history[tick + 1] if tick + 1 < len(history) else World()
     return WorldPercepts(time_s=history[tick].time_s, world=history[tick], following=following)
+
+
+def drive(scenario: Scenario) -> Driven:
+    """Runs a scenario to its end."""
+    controller = controller_of(scenario)
+    decisions = [
+        controller.tick(percepts_of(scenario, tick), world.events) for tick, world in enumerate(scenario.history)
+    ]
+    return Driven(controller, decisions)
 
 
 def _behaviors(network: Network) -> list[tuple[str, Component]]:
