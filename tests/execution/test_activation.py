@@ -26,7 +26,7 @@ def execute(network: Network, scenario: Scenario) -> list[RefOutcome]:
         executing = {ids[row] for row in step.executing}
         active = {ids[row] for row in step.active}
         refusals = {
-            id_: {(arc.type.value, ids[arc.source]) for arc in activation.refusals(rows[id_])}
+            id_: {(arc.type.value, ids[arc.source]) for arc in activation.links.refusals(rows[id_])}
             for id_ in ids
             if id_ not in active
         }
@@ -35,7 +35,7 @@ def execute(network: Network, scenario: Scenario) -> list[RefOutcome]:
             RefOutcome(
                 effects=dict(zip(ids, context.effects, strict=True)),
                 achieved=dict(zip(ids, context.achieved, strict=True)),
-                levels=dict(zip(ids, activation.levels, strict=True)),
+                levels=dict(zip(ids, activation.links.levels, strict=True)),
                 active=active,
                 executing=executing,
                 searching=leaves - executing,
@@ -98,10 +98,10 @@ def test_the_tables_follow_from_the_context_alone(scenario: Scenario) -> None:
     ids = [node.id for node in program.nodes]
     for world in scenario.history:
         fresh = Activation(program, context)
-        assert fresh.levels == activation.levels
-        assert fresh.unmet == activation.unmet
-        assert fresh.satisfied == activation.satisfied
-        assert fresh.enabled == activation.enabled
-        assert fresh.readable == activation.readable
+        assert fresh.links.levels == activation.links.levels
+        assert fresh.links.unmet == activation.links.unmet
+        assert fresh.links.satisfied == activation.links.satisfied
+        assert fresh.scopes.enabled == activation.scopes.enabled
+        assert fresh.scopes.readable == activation.scopes.readable
         context.keep_on = frozenset(program.rows[id_] for id_ in world.continues)
         activation.commit(decide(activation, world, ids))

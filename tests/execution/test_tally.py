@@ -4,8 +4,8 @@ from hypothesis import given, settings
 
 from tests.figures import nested
 from understudy.execution import Context, Event, Tally
-from understudy.execution.activation import NOTHING
 from understudy.execution.program import Program
+from understudy.execution.step import NOTHING
 from understudy.network import Component
 
 from .driving import drive

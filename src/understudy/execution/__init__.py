@@ -1,6 +1,6 @@
 """Running a network: the compiled program, the context, the tick, the trace."""
 
-from understudy.execution.activation import Activation, Step
+from understudy.execution.activation import Activation
 from understudy.execution.causes import Cause
 from understudy.execution.conditions import Outside
 from understudy.execution.context import Context
@@ -10,6 +10,7 @@ from understudy.execution.history import History, StateChange
 from understudy.execution.ports import Ports
 from understudy.execution.program import Arc, Node, Program, compile_network
 from understudy.execution.run import RunReport, run_network
+from understudy.execution.step import Step
 from understudy.execution.tally import Tally
 from understudy.execution.trace import Event, State
 

@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from understudy.behaviors import Action, Actuator, Motion, Skill, Wander
-from understudy.execution.activation import NOTHING, Activation, Step
+from understudy.execution.activation import Activation
 from understudy.execution.conditions import Outside
 from understudy.execution.context import Context
 from understudy.execution.ports import Ports
 from understudy.execution.program import Program, compile_network
 from understudy.execution.states import state_of
+from understudy.execution.step import NOTHING, Step
 from understudy.execution.trace import Event
 from understudy.network import Holds, Network, Possible
 from understudy.perception import Percepts
@@ -107,10 +108,10 @@ class Controller:
         row = self.program.rows[path]
         incoming = self.program.incoming[row]
         return Ports(
-            use_behavior=activation.enabled[self.program.nodes[row].scope],
-            activ_level=activation.levels[row],
+            use_behavior=activation.scopes.enabled[self.program.nodes[row].scope],
+            activ_level=activation.links.levels[row],
             inhibit=row in context.inhibited,
-            preconditions={self.program.nodes[arc.source].id: activation.satisfied[arc.row] for arc in incoming},
+            preconditions={self.program.nodes[arc.source].id: activation.links.satisfied[arc.row] for arc in incoming},
             continue_=row in context.keep_on,
             active=row in context.active,
             effects=context.effects[row],
@@ -119,7 +120,7 @@ class Controller:
     def _goals(self, percepts: Percepts) -> list[bool]:
         """What the goals of the behaviors that are used say now; of all others, what they said last."""
         nodes, effects = self.program.nodes, self.context.effects.copy()
-        for row in self.activation.readable:
+        for row in self.activation.scopes.readable:
             node = nodes[row]
             effects[row] = node.skill.abstract.goal(percepts, node.parameters)  # type: ignore[union-attr]  # a behavior
         return effects

@@ -2,8 +2,9 @@
 
 from typing import Any
 
-from understudy.execution.activation import Activation, Step
+from understudy.execution.activation import Activation
 from understudy.execution.context import Told
+from understudy.execution.step import Step
 from understudy.execution.trace import State
 
 __all__ = ["state_of"]
@@ -25,19 +26,19 @@ def state_of(row: int, step: Step, activation: Activation) -> Told:
             return (State.EXECUTING, {}) if works else (State.SEARCHING, {"reason": "parts"})
         if row in step.executing:
             return State.EXECUTING, {}
-        owner = activation.lock_of(row, step)
+        owner = activation.locks.owner_at(row, step)
         # Who was asked had its actuators free at its turn; another one took them only afterwards.
-        if owner is not None and row not in activation.asked:
+        if owner is not None and row not in activation.locks.asked:
             return State.SEARCHING, {"reason": "locked", "by": nodes[owner].id}
         return State.SEARCHING, {"reason": "world"}
     if row in context.skipped:
         return State.SKIPPED, {}
-    if not activation.enabled[node.scope]:
+    if not activation.scopes.enabled[node.scope]:
         return (State.ACHIEVED if context.achieved[row] else State.UNUSED), {}
-    if activation.levels[row] == 0:
+    if activation.links.levels[row] == 0:
         resting = node.trigger is not None and row not in context.called
         return (State.RESTING if resting else State.ACHIEVED), {}
-    missing = [{"reason": arc.type.value, "for": nodes[arc.source].id} for arc in activation.refusals(row)]
+    missing = [{"reason": arc.type.value, "for": nodes[arc.source].id} for arc in activation.links.refusals(row)]
     if row in context.inhibited:
         by: dict[str, Any] = {"by": nodes[context.inhibited[row]].id}
         return State.INHIBITED, by | ({"also": missing} if missing else {})
