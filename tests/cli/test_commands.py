@@ -54,7 +54,7 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_help_names_every_command(tmp_path: Path) -> None:
     help_ = understudy("--help", folder=tmp_path).stdout
-    for command in ("demo", "teach", "learn", "run", "show", "schema", "doctor"):
+    for command in ("demo", "teach", "learn", "run", "show", "explain", "schema", "doctor"):
         assert f"\n  {command}" in help_
         assert "Usage:" in understudy(command, "--help", folder=tmp_path).stdout
 
@@ -93,6 +93,23 @@ def test_a_task_that_was_not_done_exits_with_1(workspace: Path) -> None:
         "run", "understudy-out/tiny.yaml", "-w", "tiny.yaml", "-o", "late", "--limit", "0.5", folder=workspace, expect=1
     )
     assert "Not done: time limit of 0.5 s; missing: track-green-1" in done.stdout
+
+
+def test_a_run_explains_itself(workspace: Path) -> None:
+    understudy("run", "understudy-out/tiny.yaml", "-w", "tiny.yaml", "-o", "why", folder=workspace)
+    run = "why/tiny-run.mcap"
+    every = understudy("explain", run, folder=workspace).stdout
+    assert "1.  achieved" in every
+    one = understudy("explain", run, "--at", "1", "--component", "1", folder=workspace).stdout
+    assert one.startswith("At 1.0 s step 1, go to the green target")
+    found = json.loads(understudy("explain", run, "-t", "1", "-c", "track-green-1", "--json", folder=workspace).stdout)
+    assert (found["component"], found["active"]) == ("track-green-1", True)
+    late = understudy("explain", run, "-t", "999", folder=workspace)
+    assert "so it has stayed" in late.stderr
+    unknown = understudy("explain", run, "-c", "7", folder=workspace, expect=2)
+    assert "no component of this task is called '7'; there are: track-green-1" in unknown.stderr
+    wrong = understudy("explain", "understudy-out/tiny.mcap", folder=workspace, expect=2)
+    assert "is the recording of a demonstration; name one that understudy run has made" in wrong.stderr
 
 
 def test_a_picture_can_be_of_the_outside_only(tmp_path: Path) -> None:

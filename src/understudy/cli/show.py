@@ -2,7 +2,7 @@
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -10,7 +10,7 @@ from understudy.cli.options import Json
 from understudy.cli.tasks import find_task
 
 if TYPE_CHECKING:
-    from understudy.recording import Outcome, Recording
+    from understudy.recording import Outcome
 
 __all__ = ["command"]
 
@@ -86,17 +86,15 @@ def _task(source: Path, picture: Path | None, depth: int | None, dot: bool, as_j
 
 
 def _recording(source: Path, picture: Path | None, as_json: bool) -> None:
-    from understudy.errors import NetworkError, WorldError  # noqa: PLC0415
     from understudy.execution import Event, Tally  # noqa: PLC0415
-    from understudy.network import parse_task  # noqa: PLC0415
     from understudy.recording import outcome_of, read_recording  # noqa: PLC0415
+    from understudy.sessions.recorded import task_of, world_of  # noqa: PLC0415
 
     recording = read_recording(source)
     info = recording.info
-    network = outcome = missing = None
-    if "task.yaml" in info.attachments:
-        data = _attached(recording, "task.yaml", NetworkError)
-        _, network = parse_task(data, source=f"{source}: task.yaml")
+    outcome = missing = None
+    attached = task_of(recording)
+    network = attached[1] if attached else None
     if info.kind == "run":
         outcome = outcome_of(recording)
         if network is not None:
@@ -130,31 +128,11 @@ def _recording(source: Path, picture: Path | None, as_json: bool) -> None:
             typer.echo(f"  {time_s:6.1f} s  {word}")
     if picture is not None:
         from understudy.sessions.pictures import picture_recording  # noqa: PLC0415
-        from understudy.sim import World  # noqa: PLC0415
 
-        world = None
-        if "world.yaml" in info.attachments:
-            data = _attached(recording, "world.yaml", WorldError)
-            world = World.from_data(data, source=f"{source}: world.yaml")
+        world = world_of(recording)
         if world is None and network is None:
             typer.echo("No picture: neither a world nor a task is attached to the recording", err=True)
         _say_written(picture_recording(recording, world, network, picture), quiet=as_json)
-
-
-def _attached(recording: "Recording", name: str, kind: Any) -> Any:
-    """The plain data of an attached document.
-
-    Raises:
-        DocumentError: of this kind, if it is none.
-    """
-    from understudy.documents import parse_text  # noqa: PLC0415
-
-    source = f"{recording.info.path}: {name}"
-    try:
-        text = recording.attachment(name).decode()
-    except UnicodeDecodeError:
-        raise kind("the attachment is no text in UTF-8, so it is no document", source=source) from None
-    return parse_text(text, source=source, kind=kind)
 
 
 def _say_outcome(outcome: "Outcome", missing: "tuple[str, ...] | None") -> None:

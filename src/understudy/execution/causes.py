@@ -23,6 +23,7 @@ _Kind = Literal[
     "freed",
     "inhibited",
     "released",
+    "finished",
     "changed",
 ]
 
@@ -35,7 +36,8 @@ class Cause:
         kind: the run ``began``; a network was ``begun``, or begun anew, or ``ended``; a component was ``achieved``, was
             ``skipped``, was ``called``; its goal was ``reached`` or ``lost``; what the component needs to act ``came``
             or ``went``; another ``took`` its actuators or ``freed`` them; a rival ``inhibited`` it or ``released`` it;
-            or none of these happened to it or to those on which it hangs: something else ``changed``.
+            it ``finished``, some time after it was achieved; or none of these happened to it or to those on which it
+            hangs: something else ``changed``.
         component: whom it happened to; the component itself, or another one.
         time_s: when.
     """
@@ -90,8 +92,13 @@ class _Moment:
             return "began", ""
         if state is State.UNUSED:
             return "ended", self.history.nab_of(path)
+        if state is State.ACHIEVED and self.before.state in (State.EXECUTING, State.SEARCHING):
+            return "finished", path
         if waits_for and self._now("goal", waits_for):
             return "lost", waits_for
+        waited_for = str(self.before.why.get("for", ""))
+        if waited_for and self._now("achieved", waited_for):
+            return "achieved", waited_for
         return self._woken() or ("changed", path)
 
     def of_activity(self) -> _Found:

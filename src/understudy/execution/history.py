@@ -63,6 +63,17 @@ class History:
         else:
             self._others[event.component].append(len(self.events) - 1)
 
+    @property
+    def end_s(self) -> float:
+        """When the latest event was told.
+
+        Raises:
+            UnderstudyError: none was.
+        """
+        if not self.events:
+            raise UnderstudyError("its trace is empty: nothing was executed")
+        return self.events[-1].time_s
+
     def component(self, path: str) -> Component | Nab:
         """The component with a path.
 
@@ -129,14 +140,8 @@ class History:
 
     def predecessors(self, path: str) -> list[str]:
         """The components from which links lead to one."""
-        nab_path = self.nab_of(path)
-        prefix, _, id_ = path.rpartition("/")
-        network = self.network
-        if nab_path:
-            nab, name = self.network.by_path[nab_path], prefix[len(nab_path) + 1 :]
-            assert isinstance(nab, Nab)
-            network = next(case.network for case in nab.cases if case.name == name)
-        return ["/".join(filter(None, (prefix, link.source))) for link in network.incoming[id_]]
+        prefix, network = self.network.home_of(path)
+        return [prefix + link.source for link in network.incoming[path[len(prefix) :]]]
 
     def _around(self, path: str) -> list[str]:
         """The NABs in which a component stands, innermost first."""

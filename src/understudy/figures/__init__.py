@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from understudy.figures.saving import save
     from understudy.figures.timeline import draw_observations
     from understudy.figures.trajectories import Mark, Trajectory, marks_of_cues, marks_of_run
+    from understudy.figures.why import WhyWords
     from understudy.figures.words import describe_task
     from understudy.figures.words_conditions import condition_in_words
     from understudy.figures.words_goals import goal_in_words
@@ -27,6 +28,7 @@ __all__ = [
     "Mark",
     "Place",
     "Trajectory",
+    "WhyWords",
     "condition_in_words",
     "describe_lesson",
     "describe_task",
@@ -55,6 +57,7 @@ _HOMES = {
     "saving": ("save",),
     "timeline": ("draw_observations",),
     "trajectories": ("Mark", "Trajectory", "marks_of_cues", "marks_of_run"),
+    "why": ("WhyWords",),
     "words": ("describe_task",),
     "words_conditions": ("condition_in_words",),
     "words_goals": ("goal_in_words",),

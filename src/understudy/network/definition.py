@@ -204,6 +204,23 @@ class Network:
         """All components of the hierarchy by their paths."""
         return dict(self.walk())
 
+    def home_of(self, path: str) -> "tuple[str, Network]":
+        """What the paths in the network begin with in which a component stands, and that network.
+
+        Raises:
+            KeyError: no component has this path.
+        """
+        for component in self.components:
+            if path == component.id:
+                return "", self
+            if isinstance(component, Nab):
+                for case in component.cases:
+                    inside = "/".join(filter(None, (component.id, case.name))) + "/"
+                    if path.startswith(inside) and path[len(inside) :] in case.network.by_path:
+                        prefix, network = case.network.home_of(path[len(inside) :])
+                        return inside + prefix, network
+        raise KeyError(path)
+
     @cached_property
     def flat(self) -> bool:
         """Whether every component is an abstract behavior."""
