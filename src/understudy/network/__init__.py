@@ -17,7 +17,9 @@ from understudy.network.conditions import (
 )
 from understudy.network.controls import Repeat, Switch, Timeout, Trigger
 from understudy.network.definition import Case, Component, Link, LinkType, Nab, Network, ParameterValue
+from understudy.network.difference import differences
 from understudy.network.document import Task, load_task, parse_task, save_task, task_schema, task_text
+from understudy.network.editing import edited, relinked
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
 from understudy.network.flattening import flattened
 from understudy.network.reduction import expand_links, reduce_links
@@ -50,11 +52,14 @@ __all__ = [
     "Timeout",
     "Trigger",
     "atoms",
+    "differences",
+    "edited",
     "expand_links",
     "flattened",
     "load_task",
     "parse_task",
     "reduce_links",
+    "relinked",
     "save_task",
     "task_names",
     "task_path",
