@@ -176,6 +176,7 @@ _USES = {
     "world": "use it with `understudy teach` or `understudy run --world`",
     "task": "use it with `understudy run` or `understudy show`",
     "intervals": "use it with `understudy learn`",
+    "context": "use it with `understudy run --resume`",
 }
 
 

@@ -3,9 +3,10 @@
 The tree::
 
     UnderstudyError
-    ├── DocumentError        a document (world, task, intervals) is malformed
+    ├── DocumentError        a document (world, task, intervals, context) is malformed
     │   ├── WorldError
-    │   └── NetworkError
+    │   ├── NetworkError
+    │   └── ContextError     a saved run cannot be gone on with
     ├── SkillError           an unknown skill, or a parameter that a skill does not take
     ├── RobotError           the robot's readings cannot be used, or it stopped answering
     ├── RecordingError       a recording cannot be read or written
@@ -17,6 +18,7 @@ The command line prints it without a traceback and exits with 2.
 """
 
 __all__ = [
+    "ContextError",
     "DocumentError",
     "LearningError",
     "MissingExtraError",
@@ -56,6 +58,10 @@ class WorldError(DocumentError):
 
 class NetworkError(DocumentError):
     """A behavior network is malformed: a cycle, a dangling link, two components with one id."""
+
+
+class ContextError(DocumentError):
+    """A saved run is malformed, or belongs to another task."""
 
 
 class SkillError(UnderstudyError):

@@ -10,6 +10,7 @@ from understudy.execution.history import History, StateChange
 from understudy.execution.ports import Ports
 from understudy.execution.program import Arc, Node, Program, compile_network
 from understudy.execution.run import RunReport, run_network
+from understudy.execution.saving import ComponentState, SavedContext, load_context
 from understudy.execution.step import Step
 from understudy.execution.tally import Tally
 from understudy.execution.trace import Event, State
@@ -18,6 +19,7 @@ __all__ = [
     "Activation",
     "Arc",
     "Cause",
+    "ComponentState",
     "Context",
     "Controller",
     "Decision",
@@ -30,11 +32,13 @@ __all__ = [
     "Ports",
     "Program",
     "RunReport",
+    "SavedContext",
     "State",
     "StateChange",
     "Step",
     "Tally",
     "compile_network",
     "explain",
+    "load_context",
     "run_network",
 ]
