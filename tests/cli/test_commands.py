@@ -112,6 +112,42 @@ def test_a_run_explains_itself(workspace: Path) -> None:
     assert "is the recording of a demonstration; name one that understudy run has made" in wrong.stderr
 
 
+def test_what_if_a_link_were_another(tmp_path: Path) -> None:
+    understudy("run", "hierarchical", "-w", "hierarchical", "--limit", "6", folder=tmp_path, expect=1)
+    run = "understudy-out/hierarchical-run.mcap"
+    asked = ("explain", run, "--at", "1", "--what-if", "1 -> 2: none")
+    told = understudy(*asked, folder=tmp_path).stdout
+    assert "Had the link from step 1 (object-transport) to step 2 (visit-targets) been left out from 1.0 s on" in told
+    assert "step 2 (visit-targets) would have been searching, and was waiting" in told
+    record = json.loads(understudy(*asked, "--json", folder=tmp_path).stdout)
+    assert (record["was"], record["instead"], record["was_done"]) == ("ordering", None, False)
+    nothing = understudy("explain", run, "--at", "1", "--what-if", "1 to 2", folder=tmp_path, expect=2)
+    assert "names no link and type" in nothing.stderr
+    when = understudy("explain", run, "--what-if", "1 -> 2: none", folder=tmp_path, expect=2)
+    assert "give --at" in when.stderr
+
+
+def test_a_run_is_put_aside_and_gone_on_with(workspace: Path) -> None:
+    task = "understudy-out/tiny.yaml"
+    understudy("run", task, "-w", "tiny.yaml", "-o", "whole", folder=workspace)
+    first = understudy("run", task, "-w", "tiny.yaml", "-o", "aside", "--pause-at", "2", folder=workspace, expect=1)
+    aside = "aside/tiny-run.context.json"
+    assert f"Go on with: understudy run {task} --resume {aside}" in first.stdout
+    done = understudy("run", task, "--resume", aside, "-o", "aside", folder=workspace)
+    assert "Done after" in done.stdout
+    whole = (workspace / "whole" / "tiny-run.mcap").read_bytes()
+    assert (workspace / "aside" / "tiny-run-2.mcap").read_bytes() == whole
+    (workspace / "cut.mcap").write_bytes(whole[: len(whole) // 2])
+    understudy("run", task, "--resume", "cut.mcap", "-o", "cut", folder=workspace)
+    assert (workspace / "cut" / "tiny-run.mcap").read_bytes() == whole
+    other = understudy("run", "hierarchical", "--resume", aside, folder=workspace, expect=2)
+    assert "was saved in another task than the one that is to go on: track-green-1 is gone" in other.stderr
+    twice = understudy("run", task, "-w", "tiny.yaml", "--resume", aside, folder=workspace, expect=2)
+    assert "give neither" in twice.stderr
+    where = understudy("run", task, folder=workspace, expect=2)
+    assert "in which world?" in where.stderr
+
+
 def test_a_picture_can_be_of_the_outside_only(tmp_path: Path) -> None:
     for depth, name in (("0", "outside"), ("9", "inside")):
         understudy("show", "hierarchical", "-p", name, "--depth", depth, folder=tmp_path)

@@ -2,13 +2,20 @@
 
 import json
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from understudy.cli.options import Json
+from understudy.cli.progress import progress
+
+if TYPE_CHECKING:
+    from understudy.figures import WhyWords
+    from understudy.recording import Recording
 
 __all__ = ["command"]
+
+_LIMIT_S = 300.0
 
 
 def command(
@@ -19,8 +26,14 @@ def command(
     ] = None,
     component: Annotated[
         str | None,
+        typer.Option("--component", "-c", help="A step, by its path or number; one line for every step if left out."),
+    ] = None,
+    what_if: Annotated[
+        str | None,
         typer.Option(
-            "--component", "-c", help="A step, by its path or its number; one line for every step if left out."
+            "--what-if",
+            help='Run again from that moment with one link changed: "2 -> 3: ordering" (or enabling, permanent, none),'
+            " steps by their paths or numbers. Needs a run in a simulated room.",
         ),
     ] = None,
     as_json: Json = False,
@@ -41,12 +54,17 @@ def command(
         )
     network = attached[1]
     history = History(network, map(Event.from_record, recording.events()))
+    words = WhyWords(network, installed_skills())
+    if what_if is not None:
+        if at is None or component is not None:
+            raise typer.BadParameter("--what-if asks about one link from one moment on: give --at, and no --component")
+        _what_if(recording, at, what_if, words, as_json)
+        return
     end_s = history.end_s
     if at is None:
         at = end_s
     elif at > end_s:
         typer.echo(f"The last thing that happened was at {end_s:.1f} s, and so it has stayed", err=True)
-    words = WhyWords(network, installed_skills())
     paths = list(network.by_path) if component is None else [words.path_of(component)]
     found = [explain(history, path, at) for path in paths]
     if as_json:
@@ -57,3 +75,48 @@ def command(
         typer.echo(words.overview(found))
     else:
         typer.echo(words.story(found[0]))
+
+
+def _what_if(recording: "Recording", at: float, asked: str, words: "WhyWords", as_json: bool) -> None:
+    from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.network import LinkType  # noqa: PLC0415
+    from understudy.sessions import what_if  # noqa: PLC0415
+
+    link, _, type_ = (part.strip() for part in asked.rpartition(":"))
+    source, arrow, target = (part.strip() for part in link.partition("->"))
+    types = {kind.value: kind for kind in LinkType} | {"none": None}
+    if not arrow or type_ not in types:
+        raise typer.BadParameter(
+            f'{asked!r} names no link and type; write for example "2 -> 3: ordering" (or enabling, permanent, none)',
+            param_hint="'--what-if'",
+        )
+    source, target = words.path_of(source), words.path_of(target)
+    with progress("running again", _LIMIT_S) as say:
+        found = what_if(
+            recording,
+            at,
+            source,
+            target,
+            types[type_],
+            installed_skills(),
+            limit_s=_LIMIT_S,
+            watch=lambda percepts, decision: say(percepts.time_s, ""),
+        )
+    if as_json:
+        typer.echo(json.dumps(found.as_record()))
+        return
+    instead = f"{type_} instead of {found.was.value}" if found.instead is not None else "left out"
+    typer.echo(f"Had the link from {words.step(source)} to {words.step(target)} been {instead} from {at:.1f} s on:")
+    report = found.performed.report
+    if found.first is None:
+        typer.echo("  nothing would have been different.")
+    else:
+        typer.echo(f"  At {found.first.time_s:.1f} s the runs part:")
+        typer.echo(words.parting(found.first.states))
+    would = "done after" if report.done else f"not done ({report.ending}) after"
+    was = "done after" if found.done else "not done after"
+    typer.echo(f"  The task would have been {would} {report.duration_s:.1f} s; it was {was} {found.ended_s:.1f} s.")
+    if found.performed.verdict.collisions:
+        hits = ", ".join(f"{count} x {what}" for what, count in found.performed.verdict.collisions.items())
+        typer.echo(f"  The robot would have bumped into things: {hits}.")
+    typer.echo("  Run again in the same simulated room, with the same chance.")

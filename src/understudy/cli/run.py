@@ -12,15 +12,16 @@ from understudy.cli.tasks import find_task
 from understudy.cli.worlds import find_world
 
 if TYPE_CHECKING:
-    from understudy.execution import Decision
+    from understudy.execution import Decision, Tally
     from understudy.perception import Percepts
+    from understudy.sessions import Performed
 
 __all__ = ["command"]
 
 
 def command(
     task: Annotated[Path, typer.Argument(help="A task document, or a bundled task by its name.")],
-    world: Annotated[str, typer.Option("--world", "-w", help="A world document, or a bundled one.")],
+    world: Annotated[str | None, typer.Option("--world", "-w", help="A world document, or a bundled one.")] = None,
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     seed: Seed = None,
     rearrange: Annotated[
@@ -31,27 +32,49 @@ def command(
         ),
     ] = None,
     limit: Annotated[float, typer.Option(min=0.1, help="Seconds of simulated time allowed.")] = 300.0,
+    pause_at: Annotated[
+        float | None, typer.Option("--pause-at", min=0.0, help="Put the run aside after so many seconds.")
+    ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(
+            "--resume",
+            help="Go on with a run that was put aside (its .context.json), or with one that broke off (its .mcap), in"
+            " the room that it was in.",
+        ),
+    ] = None,
     as_json: Json = False,
 ) -> None:
-    """Executes a task. Exit code 0 if it was done, 1 if not."""
+    """Executes a task. Exit code 0 if it was done, 1 if not, or not yet."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.documents import write_new  # noqa: PLC0415
     from understudy.execution import Tally, compile_network  # noqa: PLC0415
     from understudy.figures import goal_in_words, numbers_of  # noqa: PLC0415
     from understudy.network import load_task  # noqa: PLC0415
-    from understudy.sessions import Workspace, perform  # noqa: PLC0415
+    from understudy.sessions import Workspace, perform, take_up  # noqa: PLC0415
     from understudy.sim import rearranged  # noqa: PLC0415
 
-    task = find_task(task)
+    given, task = task, find_task(task)
     document, network = load_task(task)
     skills = installed_skills()
     compile_network(network, skills, source=str(task))  # what does not fit is refused with the file's name
-    room = find_world(world)
-    if rearrange is not None:
-        room = rearranged(room, rearrange)
+    past = None
+    if resume is not None:
+        if (world, rearrange, seed) != (None, None, None):
+            raise typer.BadParameter(
+                "--resume goes on in the room that the run was in, and with its seed; give neither"
+            )
+        past = take_up(resume, network, skills)
+        room, seed = past.world, past.seed
+    elif world is None:
+        raise typer.BadParameter("in which world? Name one with --world, or go on with a run by --resume")
+    else:
+        room = find_world(world)
+        if rearrange is not None:
+            room = rearranged(room, rearrange)
     place = Workspace(workspace)
-    stem = place.free(f"{document.name} run", ".mcap", ".json")
-    tally = Tally(network)
+    stem = place.free(f"{document.name} run", ".mcap", ".json", ".context.json")
+    tally = Tally(network, past.events if past is not None else ())
     with progress(f"running {document.name}", limit) as say:
 
         def watch(percepts: "Percepts", decision: "Decision") -> None:
@@ -67,27 +90,43 @@ def command(
             seed=seed,
             limit_s=limit,
             recording=stem.with_suffix(".mcap"),
+            pause_at_s=pause_at,
+            past=past,
             watch=watch,
         )
     record = performed.as_record() | {"rearranged": rearrange}
     report = stem.with_suffix(".json")
     write_new(report, json.dumps(record, indent=2) + "\n")
+    aside = None
+    if performed.paused is not None:
+        aside = stem.with_suffix(".context.json")
+        performed.paused.save(aside)
     if as_json:
-        typer.echo(json.dumps(record))
+        typer.echo(json.dumps(record | {"paused": str(aside) if aside is not None else None}))
     else:
         numbers = numbers_of(network)
         for path, time_s in performed.report.achieved:
             number = "" if network.flat else f"{numbers[path]}. "
             typer.echo(f"  achieved at {time_s:6.1f} s: {number}{goal_in_words(network.by_path[path], skills)}")
-        if performed.report.done:
-            typer.echo(f"Done after {performed.report.duration_s:.1f} s.")
-        else:
-            left = f"missing: {', '.join(tally.missing)}" if tally.missing else "the last step was still being finished"
-            stopped_by = performed.report.stopped_by
-            why = f"{stopped_by} ran out of time" if stopped_by else f"time limit of {limit:g} s"
-            typer.echo(f"Not done: {why}; {left}")
+        typer.echo(_ending(performed, tally, limit, aside))
         if not performed.verdict.clean:
             hits = ", ".join(f"{count} × {what}" for what, count in performed.verdict.collisions.items())
             typer.echo(f"The robot bumped into things: {hits}")
         typer.echo(f"Recorded in {performed.recording}, report in {report}")
+        if not performed.report.done and aside is None:
+            typer.echo(f"Why? understudy explain {performed.recording}")
+        if aside is not None:
+            typer.echo(f"Go on with: understudy run {given} --resume {aside}")
     raise typer.Exit(0 if performed.report.done else 1)
+
+
+def _ending(performed: "Performed", tally: "Tally", limit_s: float, aside: Path | None) -> str:
+    """How the run ended, in one line."""
+    report = performed.report
+    if report.done:
+        return f"Done after {report.duration_s:.1f} s."
+    left = f"missing: {', '.join(tally.missing)}" if tally.missing else "the last step was still being finished"
+    if aside is not None:
+        return f"Put aside after {report.duration_s:.1f} s; {left}"
+    why = f"{report.stopped_by} ran out of time" if report.stopped_by else f"time limit of {limit_s:g} s"
+    return f"Not done: {why}; {left}"

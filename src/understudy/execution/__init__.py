@@ -9,7 +9,7 @@ from understudy.execution.explanation import Explanation, Missing, explain
 from understudy.execution.history import History, StateChange
 from understudy.execution.ports import Ports
 from understudy.execution.program import Arc, Node, Program, compile_network
-from understudy.execution.run import RunReport, run_network
+from understudy.execution.run import RunReport, go_on, run_network
 from understudy.execution.saving import ComponentState, SavedContext, load_context
 from understudy.execution.step import Step
 from understudy.execution.tally import Tally
@@ -39,6 +39,7 @@ __all__ = [
     "Tally",
     "compile_network",
     "explain",
+    "go_on",
     "load_context",
     "run_network",
 ]

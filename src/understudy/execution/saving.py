@@ -140,8 +140,8 @@ class SavedContext(Part):
         if told:
             more = f", and {len(told) - 1} more" if len(told) > 1 else ""
             raise ContextError(
-                f"it was saved in another task than the one that is to go on: {told[0]}{more}; go on with the task as it"
-                " was, or start anew",
+                f"it was saved in another task than the one that is to go on: {told[0]}{more}; go on with the task as"
+                " it was, or start anew",
                 source=source,
             )
         rows = program.rows

@@ -79,6 +79,13 @@ class WhyWords:
                 lines.append(f"    {self.step(one.component)} {_STATES[one.state]}, {when}{first}.")
         return "\n".join(lines)
 
+    def parting(self, states: Mapping[str, tuple[State, State]]) -> str:
+        """Where two runs part: one line for each component, what it would have done and what it did."""
+        return "\n".join(
+            f"    {self.step(path)} would have been {would.value}, and was {was.value}"
+            for path, (was, would) in states.items()
+        )
+
     def _goal(self, path: str) -> str:
         return goal_in_words(self.network.by_path[path], self.skills)
 

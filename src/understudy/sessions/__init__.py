@@ -1,21 +1,30 @@
 """What a person does in one sitting: a demonstration taught, a task run, in a simulated room, recorded and judged."""
 
-from understudy.sessions.recorded import task_of, world_of
+from understudy.sessions.past import Past, past_at, take_up
+from understudy.sessions.recorded import spec_of, task_of, world_of
 from understudy.sessions.running import Performed, perform
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sessions.teaching import Taught, recorded_demonstration, teach
+from understudy.sessions.whatif import Divergence, WhatIf, what_if
 from understudy.sessions.workspace import Workspace, file_stem
 
 __all__ = [
+    "Divergence",
+    "Past",
     "Performed",
     "Stage",
     "Taught",
     "Verdict",
+    "WhatIf",
     "Workspace",
     "file_stem",
+    "past_at",
     "perform",
     "recorded_demonstration",
+    "spec_of",
+    "take_up",
     "task_of",
     "teach",
+    "what_if",
     "world_of",
 ]

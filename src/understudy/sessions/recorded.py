@@ -1,14 +1,32 @@
-"""The documents that a recording carries: the room and the task."""
+"""What a recording is of: the robot, the room, the task."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from understudy.documents import parse_text
-from understudy.errors import DocumentError, NetworkError, WorldError
+from understudy.errors import DocumentError, NetworkError, RecordingError, WorldError
 from understudy.network import Network, Task, parse_task
 from understudy.recording import Recording
+from understudy.robot import PIONEER, RobotSpec
 from understudy.sim import World
 
-__all__ = ["task_of", "world_of"]
+__all__ = ["spec_of", "task_of", "world_of"]
+
+_ROBOTS: Mapping[str, RobotSpec] = {PIONEER.name: PIONEER}
+
+
+def spec_of(recording: Recording) -> RobotSpec:
+    """The robot that was recorded; the Pioneer for a bag, which does not say.
+
+    Raises:
+        RecordingError: it is of a robot that is not known here.
+    """
+    robot = recording.info.robot or PIONEER.name
+    if robot not in _ROBOTS:
+        raise RecordingError(
+            f"{recording.info.path} is of a robot called {robot!r}; known here are: {', '.join(_ROBOTS)}"
+        )
+    return _ROBOTS[robot]
 
 
 def task_of(recording: Recording) -> tuple[Task, Network] | None:

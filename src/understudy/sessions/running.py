@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from understudy.behaviors import Skill
-from understudy.execution import Decision, RunReport, compile_network, run_network
+from understudy.execution import Controller, Decision, RunReport, SavedContext, compile_network, go_on
 from understudy.network import Network, Task, task_text
-from understudy.perception import Percepts
+from understudy.perception import Perception, Percepts
 from understudy.recording import Recorder
 from understudy.robot import Journal
+from understudy.sessions.past import Past
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import World
 
@@ -28,6 +29,7 @@ class Performed:
         recording: the file, if it was recorded.
         stage: the room as it is now, with everybody's paths.
         verdict: the referee's.
+        paused: what a run that was paused needs to go on; None for every other.
     """
 
     task: str
@@ -35,6 +37,7 @@ class Performed:
     recording: Path | None
     stage: Stage
     verdict: Verdict
+    paused: SavedContext | None = None
 
     def as_record(self) -> dict[str, Any]:
         """The run in plain data, for a report or another program."""
@@ -62,6 +65,8 @@ def perform(
     seed: int | None = None,
     limit_s: float = 300.0,
     recording: Path | None = None,
+    pause_at_s: float | None = None,
+    past: Past | None = None,
     watch: Callable[[Percepts, Decision], None] | None = None,
     prepare: Callable[[Stage], None] | None = None,
 ) -> Performed:
@@ -75,31 +80,49 @@ def perform(
         seed: of all chance; the world's own if None.
         limit_s: the time allowed (§4.5.4.1: 5 minutes).
         recording: the file to be written, which must not exist; None records nothing.
+        pause_at_s: when the run is put aside, seconds.
+        past: goes on from there, in the same world with the same seed.
         watch: is called after every tick.
         prepare: is given the room before the run, for example to move things in mid-run from ``watch``.
 
     Raises:
         NetworkError: the network does not fit the skills.
-        RecordingError: the file exists or cannot be written.
+        RecordingError: the file exists or cannot be written, or the past cannot be gone on with.
     """
     compile_network(network, skills)  # a task that does not fit is refused before anything is written
     stage = Stage(world.model_copy(update={"teacher": None}), seed)
     if prepare is not None:
         prepare(stage)
+    controller = Controller(network, skills, stage.robot.spec, seed=stage.simulation.seed)
+    perception = Perception(stage.robot.spec)
     with ExitStack() as stack:
         journal: Journal | None = None
         if recording is not None:
             journal = stack.enter_context(_recorder(recording, stage, name, network))
+        if past is not None:
+            past.relive(stage, perception, journal)
+            controller.resume(past.context)
 
         def look(percepts: Percepts, decision: Decision) -> None:
             stage.look()
             if watch is not None:
                 watch(percepts, decision)
 
-        report = run_network(
-            stage.robot, network, skills, seed=stage.simulation.seed, limit_s=limit_s, journal=journal, watch=look
+        report = go_on(
+            stage.robot,
+            controller,
+            perception,
+            limit_s=limit_s,
+            pause_at_s=pause_at_s,
+            past=past.events if past is not None else (),
+            journal=journal,
+            watch=look,
         )
-    return Performed(task=name, report=report, recording=recording, stage=stage, verdict=stage.verdict())
+    paused = None
+    if report.ending == "paused":
+        file = recording.name if recording is not None else ""
+        paused = SavedContext.of(controller.context, controller.program, name, recording=file)
+    return Performed(task=name, report=report, recording=recording, stage=stage, verdict=stage.verdict(), paused=paused)
 
 
 def _recorder(path: Path, stage: Stage, name: str, network: Network) -> Recorder:

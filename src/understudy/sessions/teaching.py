@@ -6,17 +6,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from understudy.behaviors import Skill
-from understudy.errors import RecordingError, WorldError
+from understudy.errors import WorldError
 from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate, observe
 from understudy.perception import Percepts
 from understudy.recording import Recorder, read_recording
-from understudy.robot import PIONEER, Journal, RobotSpec
+from understudy.robot import Journal
+from understudy.sessions.recorded import spec_of
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import World
 
 __all__ = ["Taught", "recorded_demonstration", "teach"]
-
-_ROBOTS: Mapping[str, RobotSpec] = {PIONEER.name: PIONEER}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -124,8 +123,4 @@ def recorded_demonstration(
         RobotError: the recorded readings cannot be used.
     """
     recording = read_recording(path)
-    robot = recording.info.robot or PIONEER.name  # a bag does not say which robot it is of
-    if robot not in _ROBOTS:
-        raise RecordingError(f"{path} is of a robot called {robot!r}; known here are: {', '.join(_ROBOTS)}")
-    spec = _ROBOTS[robot]
-    return observe(recording.observations(), spec, skills, settings, name=recording.info.name)
+    return observe(recording.observations(), spec_of(recording), skills, settings, name=recording.info.name)
