@@ -91,6 +91,21 @@ def test_a_target_that_is_hidden_is_not_forgotten() -> None:
     assert colors == {Color.GREEN, Color.RED}
 
 
+NEAR = [(Color.GREEN, Point(1.8, 0.0)), (Color.RED, Point(0.9, 0.0))]
+FAR = [(Color.GREEN, Point(2.4, 0.0)), (Color.RED, Point(0.9, 0.0))]
+
+
+@pytest.mark.parametrize(("pillars", "seconds", "there"), [(NEAR, 18.0, True), (NEAR, 22.0, False), (FAR, 40.0, True)])
+def test_what_the_robot_is_near_to_and_never_meets_is_forgotten_in_the_end(
+    pillars: list[Pillar], seconds: float, there: bool
+) -> None:
+    """As a target behind a wall: nothing contradicts it, and it cannot be reached from here."""
+    perception = Perception(PIONEER)
+    watch(perception, pillars[:1], [Pose()] * 5)
+    percepts = watch(perception, pillars, [Pose()] * round(10 * seconds), 0.5)
+    assert (percepts.nearest_target(Color.GREEN) is not None) is there
+
+
 def test_a_contradiction_now_and_then_does_not_add_up() -> None:
     perception = Perception(PIONEER)
     watch(perception, [AHEAD], [Pose()] * 5)

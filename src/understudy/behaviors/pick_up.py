@@ -110,7 +110,9 @@ class PrimitivePickUp:
         if phase == "approach":
             memory = self._watch_progress(percepts.time_s, box, memory)
             if percepts.time_s - memory["since_s"] > self.patience_s:
-                phase, ticks = "leave", 1
+                # What it is far enough from already is held up on the way to the box, not at it.
+                far = box.position.distance > self.withdraw_distance
+                memory, phase, ticks = (self._anywhere(percepts, random), "stray", 1) if far else (memory, "leave", 1)
             elif self._out_of_reach(box, ready=ready):
                 phase, ticks = "back", 1
             else:
@@ -188,17 +190,20 @@ class PrimitivePickUp:
         if phase == "back" and (ticks > self.back_ticks or abs(box.bearing) > math.radians(60)):
             phase, ticks = "leave", 1
         if phase == "leave" and ticks > self.leave_ticks:
-            memory = {"toward": wrap_angle(heading + random.uniform(-2.5, 2.5))}
-            phase, ticks = "stray", 1
+            memory, phase, ticks = self._anywhere(percepts, random), "stray", 1
         if phase == "back":
             drive = Drive(linear=-0.15)
         elif phase == "leave":
             drive = Head(bearing=wrap_angle(box.bearing + math.pi), speed=0.3)
         else:
             drive = Head(bearing=wrap_angle(memory["toward"] - heading), speed=0.3)
-        if away > self.withdraw_distance or (phase == "stray" and ticks > self.stray_ticks):
-            return Action(drive=drive), {"phase": "approach"}
-        return Action(drive=drive), {**memory, "phase": phase, "ticks": ticks}
+        done = ticks > self.stray_ticks if phase == "stray" else away > self.withdraw_distance
+        return Action(drive=drive), {"phase": "approach"} if done else {**memory, "phase": phase, "ticks": ticks}
+
+    @staticmethod
+    def _anywhere(percepts: Percepts, random: Random) -> Memory:
+        """A direction by chance: what held the robot up is not where it was, seen from elsewhere."""
+        return {"toward": wrap_angle(percepts.odometry.pose.heading + random.uniform(-2.5, 2.5))}
 
 
 PICK_UP = Skill(AbstractPickUp(), PrimitivePickUp())

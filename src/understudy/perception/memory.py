@@ -1,5 +1,6 @@
 """Working memory: things keep their places while the robot moves, until the senses contradict (§3.5.3.2)."""
 
+import math
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -23,6 +24,8 @@ class MemorySettings:
         gate_per_m: added for every metre of distance, since far sightings are less exact.
         smoothing: weight of a new position against the remembered one.
         lose_s: a thing not met for this long is no longer followed, only remembered.
+        doubt_m, doubt_s: a thing not met although the robot has been so near for so long in all is forgotten: it is not
+            there, or it cannot be reached from here, as behind a wall; and the search for it begins anew.
     """
 
     confirm: int = 3
@@ -32,6 +35,8 @@ class MemorySettings:
     gate_per_m: float = 0.05
     smoothing: float = 0.6
     lose_s: float = 1.0
+    doubt_m: float = 0.0
+    doubt_s: float = math.inf
 
 
 @dataclass(slots=True)
@@ -46,6 +51,7 @@ class Track:
     votes: Counter[Color] = field(default_factory=Counter)
     sightings: int = 0
     misses: int = 0
+    near_s: float = 0.0
     believed: bool = False
     followed: bool = False
 
@@ -58,13 +64,14 @@ class Track:
 class Memory:
     """The things of one kind (targets, boxes, or people) that the robot believes in.
 
-    All its state is in :attr:`tracks` and :attr:`next_id`, plain data.
+    All its state is in :attr:`tracks`, :attr:`next_id` and :attr:`time_s`, plain data.
     """
 
     def __init__(self, settings: MemorySettings | None = None) -> None:
         self.settings = settings or MemorySettings()
         self.tracks: list[Track] = []
         self.next_id = 1
+        self.time_s = 0.0
 
     def nearest(self, place: Point, reach: float) -> Track | None:
         """The track nearest to a place of the odometry's frame, at most ``reach`` metres away."""
@@ -99,25 +106,29 @@ class Memory:
         if whole:
             self._move(track, time_s, pose.to_parent(position), radius)
         else:
-            track.seen_s, track.misses = time_s, 0
+            track.seen_s, track.misses, track.near_s = time_s, 0, 0.0
 
     def _move(self, track: Track, time_s: float, place: Point, radius: float) -> None:
         keep, take = 1 - self.settings.smoothing, self.settings.smoothing
         track.place = Point(keep * track.place.x + take * place.x, keep * track.place.y + take * place.y)
         track.radius = 0.8 * track.radius + 0.2 * radius
-        track.seen_s = time_s
-        track.misses = 0
+        track.seen_s, track.misses, track.near_s = time_s, 0, 0.0
 
-    def contradict(self, time_s: float, missing: Callable[[Track], bool]) -> None:
+    def contradict(self, time_s: float, pose: Pose, missing: Callable[[Track], bool]) -> None:
         """Counts a miss for every track not met now that ``missing`` says should have been, and forgets."""
         kept: list[Track] = []
+        passed = time_s - self.time_s
+        self.time_s = time_s
         for track in self.tracks:
-            if track.seen_s < time_s and missing(track):
-                track.misses += 1
+            if track.seen_s < time_s:
+                track.misses += missing(track)
+                if track.place.distance_to(pose.position) < self.settings.doubt_m:
+                    track.near_s += passed
             if time_s - track.seen_s > self.settings.lose_s:
                 track.followed = False
             stale = not track.believed and time_s - track.first_s > self.settings.confirm_within_s
-            if track.misses < self.settings.forget and not stale:
+            doubtful = track.near_s >= self.settings.doubt_s
+            if track.misses < self.settings.forget and not stale and not doubtful:
                 kept.append(track)
         self.tracks = kept
 

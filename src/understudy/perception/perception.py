@@ -68,7 +68,7 @@ class Perception:
         self.spec = spec
         self.settings = settings or PerceptionSettings()
         self.projection = Projection(spec.camera)
-        self.targets = Memory()
+        self.targets = Memory(MemorySettings(doubt_m=2.0, doubt_s=20.0))
         # A box is seen in few pixels, and it moves when it is pushed.
         self.boxes = Memory(MemorySettings(gate_m=0.20, gate_per_m=0.10))
         # People walk: half a metre per sighting is generous at 10 Hz, yet keeps two people apart.
@@ -230,9 +230,9 @@ class Perception:
             in_view = self.projection.sees(foot, 0.0, margin=8) and self.projection.sees(here, _BOX_TOP, margin=8)
             return in_view and not hidden
 
-        self.targets.contradict(time_s, tall_missing)
-        self.boxes.contradict(time_s, box_missing)
-        self.people.contradict(time_s, lambda track: True)
+        self.targets.contradict(time_s, pose, tall_missing)
+        self.boxes.contradict(time_s, pose, box_missing)
+        self.people.contradict(time_s, pose, lambda track: True)
 
     def _range_towards(self, scan: Scan, here: Point) -> float:
         """What the laser measures in the direction of a point of the robot's frame, from the robot's origin.
