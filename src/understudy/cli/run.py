@@ -94,15 +94,15 @@ def command(
             past=past,
             watch=watch,
         )
-    record = performed.as_record() | {"rearranged": rearrange}
-    report = stem.with_suffix(".json")
-    write_new(report, json.dumps(record, indent=2) + "\n")
     aside = None
     if performed.paused is not None:
         aside = stem.with_suffix(".context.json")
         performed.paused.save(aside)
+    record = performed.as_record() | {"rearranged": rearrange, "paused": str(aside) if aside is not None else None}
+    report = stem.with_suffix(".json")
+    write_new(report, json.dumps(record, indent=2) + "\n")
     if as_json:
-        typer.echo(json.dumps(record | {"paused": str(aside) if aside is not None else None}))
+        typer.echo(json.dumps(record))
     else:
         numbers = numbers_of(network)
         for path, time_s in performed.report.achieved:

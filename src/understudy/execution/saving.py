@@ -144,10 +144,32 @@ class SavedContext(Part):
                 " it was, or start anew",
                 source=source,
             )
-        rows = program.rows
         for path in (*self.components, *self.executing, *self.inhibited):
-            if path not in rows:
+            if path not in program.rows:
                 raise ContextError(f"no component of the task is called {path!r}", source=source, path="components")
+        return self._onto(program, source)
+
+    def carried_over(self, program: Program) -> Context:
+        """The context for a program of another definition: what both have goes on; what is new has no past.
+
+        Args:
+            program: that is to go on, of a task that was edited in the middle of its run.
+        """
+        rows = program.rows
+        kept = self.model_copy(
+            update={
+                "components": {path: state for path, state in self.components.items() if path in rows},
+                "executing": tuple(path for path in self.executing if path in rows),
+                "inhibited": tuple(
+                    path for path in self.inhibited if path in rows and self.components[path].inhibited_by in rows
+                ),
+                "completed": False,
+            }
+        )
+        return kept._onto(program, "")
+
+    def _onto(self, program: Program, source: str) -> Context:
+        rows = program.rows
         context = Context.start(program)
         context.tick, context.time_s = self.tick, self.time_s
         if self.begun_s is not None:

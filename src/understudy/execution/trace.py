@@ -39,7 +39,9 @@ class Event:
             ``achieved`` (``on_purpose``: by the robot's own doing, the beep of A.4), ``timeout`` (and what follows,
             ``then``), ``called`` (a duty), ``case`` (the case with which a NAB begins), ``switch`` (``to`` another
             case), ``round`` (a loop begins its ``number``-th), ``event`` (heard of from outside), ``avoid``,
-            ``complete``, ``stopped``.
+            ``complete``, ``stopped``; and in practice ``heard`` (a ``cue``), ``corrected`` (the step that a ``word``,
+            said at ``said_s``, was about, ``how``, ``since_s``, and the ``others`` that it may have been about),
+            ``suspended``, ``resumed``.
         component: its path, where it is about one.
         detail: what else belongs to it, plain data: the new state, the reason of a refusal, the component in the way.
     """

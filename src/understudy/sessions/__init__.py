@@ -1,6 +1,7 @@
 """What a person does in one sitting: a demonstration taught, a task run, in a simulated room, recorded and judged."""
 
 from understudy.sessions.past import Past, past_at, take_up
+from understudy.sessions.practising import Practised, practise
 from understudy.sessions.recorded import spec_of, task_of, world_of
 from understudy.sessions.running import Performed, perform
 from understudy.sessions.stage import Stage, Verdict
@@ -12,6 +13,7 @@ __all__ = [
     "Divergence",
     "Past",
     "Performed",
+    "Practised",
     "Stage",
     "Taught",
     "Verdict",
@@ -20,6 +22,7 @@ __all__ = [
     "file_stem",
     "past_at",
     "perform",
+    "practise",
     "recorded_demonstration",
     "spec_of",
     "take_up",

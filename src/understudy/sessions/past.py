@@ -135,6 +135,10 @@ def past_at(recording: Recording, network: Network, skills: Mapping[str, Skill],
     attached = task_of(recording)
     if attached is None:
         raise RecordingError(f"{path} is the recording of a {recording.info.kind}, and no run can go on from it")
+    if "practice" in recording.info.metadata:
+        raise RecordingError(
+            f"{path} is a practice run, and a teacher's words changed the task on the way; no run can go on from it"
+        )
     if told := differences(attached[1], network):
         raise RecordingError(f"{path} is the run of another task: {told[0]}")
     seed = int(recording.info.metadata.get("seed", 0))

@@ -1,0 +1,96 @@
+"""``understudy practice``"""
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from understudy.cli.options import DEFAULT_WORKSPACE, Json, Seed, WorkspaceFolder
+from understudy.cli.progress import progress
+from understudy.cli.tasks import find_task
+from understudy.cli.worlds import find_world
+
+if TYPE_CHECKING:
+    from understudy.figures import WhyWords
+    from understudy.practice import Correction
+
+__all__ = ["command"]
+
+
+def command(
+    task: Annotated[Path, typer.Argument(help="A task document, or a bundled task by its name.")],
+    world: Annotated[
+        str, typer.Option("--world", "-w", help="A world whose teacher says BAD, or COME and GO; or a bundled one.")
+    ],
+    workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
+    seed: Seed = None,
+    limit: Annotated[float, typer.Option(min=0.1, help="Seconds of simulated time allowed.")] = 600.0,
+    as_json: Json = False,
+) -> None:
+    """Executes a task under the teacher's feedback, and writes the corrected one. Exit code 1 if it was not done."""
+    from understudy.behaviors import installed_skills  # noqa: PLC0415 - help must come at once
+    from understudy.documents import write_new  # noqa: PLC0415
+    from understudy.execution import compile_network  # noqa: PLC0415
+    from understudy.network import Task, load_task, save_task  # noqa: PLC0415
+    from understudy.sessions import Workspace, practise  # noqa: PLC0415
+
+    task = find_task(task)
+    document, network = load_task(task)
+    skills = installed_skills()
+    compile_network(network, skills, source=str(task))
+    room = find_world(world)
+    place = Workspace(workspace)
+    stem = place.free(f"{document.name} practice", ".mcap", ".json", ".yaml")
+    with progress(f"practising {document.name}", limit) as say:
+        practised = practise(
+            document.name,
+            network,
+            room,
+            skills,
+            seed=seed,
+            limit_s=limit,
+            recording=stem.with_suffix(".mcap"),
+            watch=lambda percepts, practice: say(percepts.time_s, f"{len(practice.corrections)} corrections"),
+        )
+    report = practised.report
+    corrected = None
+    if report.network != network:
+        corrected = stem.with_suffix(".yaml")
+        note = f"{document.note}\ncorrected in practice".strip()
+        save_task(corrected, Task.of(document.name, report.network, note=note))
+    record = practised.as_record() | {"corrected": str(corrected) if corrected is not None else None}
+    write_new(stem.with_suffix(".json"), json.dumps(record, indent=2) + "\n")
+    if as_json:
+        typer.echo(json.dumps(record))
+    else:
+        from understudy.figures import WhyWords  # noqa: PLC0415
+
+        for correction in report.corrections:
+            _say(correction, WhyWords(correction.before, skills), WhyWords(correction.after, skills))
+        for complaint in practised.complaints:
+            typer.echo(f"  The teacher: {complaint}")
+        typer.echo(f"{'Done' if report.done else 'Not done'} after {report.duration_s:.1f} s.")
+        if not practised.verdict.clean:
+            hits = ", ".join(f"{count} × {what}" for what, count in practised.verdict.collisions.items())
+            typer.echo(f"The robot bumped into things: {hits}")
+        typer.echo(f"Recorded in {practised.recording}, report in {stem.with_suffix('.json')}")
+        typer.echo(f"Corrected task in {corrected}" if corrected is not None else "The task is as it was.")
+    raise typer.Exit(0 if report.done else 1)
+
+
+def _say(correction: "Correction", before: "WhyWords", after: "WhyWords") -> None:
+    """One correction in words, with the step that it was taken for."""
+    head = f"  {correction.word} at {correction.time_s:.1f} s"
+    if correction.meant:
+        first = correction.meant[0]
+        where = "before " if correction.word == "COME" else ""
+        head += f" → {where}{before.step(first.component)}, {first.told(correction.time_s)}"
+    typer.echo(head)
+    if correction.note:
+        typer.echo(f"      nothing came of it: {correction.note}")
+    elif correction.piece is not None:
+        new = [path for path in after.network.by_path if path not in before.network.by_path]
+        typer.echo(f"      new: {', '.join(after.step(path) for path in new)}")
+    else:
+        typer.echo("      taken out")

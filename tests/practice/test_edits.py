@@ -1,0 +1,98 @@
+"""Steps taken out and pieces put in: what stays, and what comes before what."""
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from tests.execution.strategies import networks
+from understudy.errors import NetworkError
+from understudy.network import Achieved, Component, Link, LinkType, Nab, Network
+from understudy.practice import inserted, without
+
+
+def before(network: Network) -> set[tuple[str, str]]:
+    """Which components come before which, over any number of links."""
+    pairs = {(link.source, link.target) for link in network.links}
+    while more := {(a, d) for a, b in pairs for c, d in pairs if b == c} - pairs:
+        pairs |= more
+    return pairs
+
+
+def strong(network: Network) -> set[tuple[str, str, LinkType]]:
+    """The links that say more than an order."""
+    return {(link.source, link.target, link.type) for link in network.links if link.type is not LinkType.ORDERING}
+
+
+@given(networks(), st.data())
+def test_without_a_step_everything_else_is_as_it_was(network: Network, data: st.DataObject) -> None:
+    assume(len(network.components) > 1)
+    gone = data.draw(st.sampled_from(sorted(network.by_id)))
+    left = without(network, gone)
+    assert [part for part in network.components if part.id != gone] == list(left.components)
+    assert before(left) == {pair for pair in before(network) if gone not in pair}
+    assert strong(left) == {link for link in strong(network) if gone not in link}
+    assert set(left.inhibitions) == {pair for pair in network.inhibitions if gone not in pair}
+
+
+@given(networks(), networks(max_components=3), st.data())
+def test_a_piece_stands_where_the_step_stood(network: Network, piece: Network, data: st.DataObject) -> None:
+    step = data.draw(st.sampled_from(sorted(network.by_id)))
+    result = inserted(network, step, piece)
+    new = [part.id for part in result.components if part.id not in network.by_id]
+    assert len(new) == len(piece.components)
+    names = dict(zip([part.id for part in piece.components], new, strict=True))
+    order = before(result)
+    old = {pair for pair in order if not set(pair) & set(new)}
+    assert old == before(network)
+    assert {pair for pair in order if set(pair) <= set(new)} == {(names[a], names[b]) for a, b in before(piece)}
+    for id_ in new:
+        assert (id_, step) in order
+    for source, target in before(network):
+        if target == step:
+            assert all((source, id_) in order for id_ in new)
+
+    # Nothing leads around the piece but what has to hold all the while, and that holds in the piece, too.
+    entering = {link.source: link.type for link in result.incoming[step] if link.source not in new}
+    lasting = {link.source for link in network.incoming[step] if link.type is LinkType.PERMANENT}
+    assert entering == dict.fromkeys(lasting, LinkType.PERMANENT)
+    for source in lasting:
+        assert all((source, id_, LinkType.PERMANENT) in strong(result) for id_ in new)
+    within = {(a, b, kind) for a, b, kind in strong(result) if {a, b} <= set(new)}
+    assert within == {(names[a], names[b], kind) for a, b, kind in strong(piece)}
+    elsewhere = {link for link in strong(network) if link[1] != step}
+    assert {link for link in strong(result) if link[1] != step and not set(link[:2]) & set(new)} == elsewhere
+
+
+TRACK = Network((Component(id="track-green-1", behavior="Track", parameters={"color": "green"}),))
+TASK = Network(
+    (*TRACK.components, Component(id="drop-1", behavior="Drop")),
+    (Link(source="track-green-1", target="drop-1", type=LinkType.ENABLING),),
+)
+
+
+def test_new_steps_get_the_next_free_number() -> None:
+    assert [part.id for part in inserted(TASK, "drop-1", TRACK).components] == [
+        "track-green-1",
+        "track-green-2",
+        "drop-1",
+    ]
+
+
+def test_steps_of_a_network_in_a_step() -> None:
+    nested = Network((Nab.of("part", TASK), Component(id="last", behavior="Drop")))
+    assert list(without(nested, "part/track-green-1").by_path) == ["part", "part/drop-1", "last"]
+    longer = inserted(nested, "part/drop-1", TRACK)
+    assert list(longer.by_path) == ["part", "part/track-green-1", "part/track-green-2", "part/drop-1", "last"]
+
+
+def test_what_cannot_be_is_refused() -> None:
+    with pytest.raises(NetworkError, match=r"'track-green-1' is the only step of the task"):
+        without(TRACK, "track-green-1")
+    nested = Network((Nab.of("part", TRACK),))
+    with pytest.raises(NetworkError, match=r"the only step of 'part'"):
+        without(nested, "part/track-green-1")
+    with pytest.raises(NetworkError, match=r"no step is called 'x'; there are: track-green-1, drop-1"):
+        without(TASK, "x")
+    asked = Network((*TRACK.components, Component(id="b", behavior="Drop", until=Achieved(component="track-green-1"))))
+    with pytest.raises(NetworkError, match="no component of this network is called 'track-green-1'"):
+        without(asked, "track-green-1")
