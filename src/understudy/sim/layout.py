@@ -12,11 +12,14 @@ from understudy.robot import PIONEER, RobotSpec
 from understudy.sim.gait import CLEARANCE_M
 
 if TYPE_CHECKING:
-    from understudy.sim.world import Box, RobotStart, Target, Teacher, Wall, World
+    from understudy.sim.world import Box, Door, RobotStart, Target, Teacher, Wall, World
 
-__all__ = ["WALL_HALF_THICKNESS_M", "Footprint", "check_layout", "footprints"]
+__all__ = ["DOOR_HALF_THICKNESS_M", "WALL_HALF_THICKNESS_M", "Footprint", "check_layout", "footprints"]
 
 WALL_HALF_THICKNESS_M = 0.02
+DOOR_HALF_THICKNESS_M = 0.015
+
+_SHORTEST_DOOR_M = 0.2
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +70,11 @@ class Footprint:
         """A wall with its thickness."""
         return cls((Point(*wall.start), Point(*wall.end)), WALL_HALF_THICKNESS_M)
 
+    @classmethod
+    def of_door(cls, door: "Door", open_deg: float) -> "Footprint":
+        """A door's leaf when it is open so far."""
+        return cls((Point(*door.hinge), door.edge(open_deg)), DOOR_HALF_THICKNESS_M)
+
     def gap_to(self, other: "Footprint") -> float:
         """Metres between the two edges; zero or less where they overlap."""
         if self._holds(other.corners[0]) or other._holds(self.corners[0]):
@@ -115,6 +123,7 @@ def _robot_footprint(robot: "RobotStart") -> Footprint:
 def footprints(world: "World") -> list[tuple[str, Footprint]]:
     """Every thing of the world with its path in the document."""
     found = [(f"walls[{i}]", Footprint.of_wall(wall)) for i, wall in enumerate(world.walls)]
+    found += [(f"doors[{i}]", Footprint.of_door(door, door.open_deg)) for i, door in enumerate(world.doors)]
     found += [(f"targets[{i}]", Footprint.of_target(target)) for i, target in enumerate(world.targets)]
     found += [(f"boxes[{i}]", Footprint.of_box(box)) for i, box in enumerate(world.boxes)]
     found += [(f"robots[{i}]", _robot_footprint(robot)) for i, robot in enumerate(world.robots)]
@@ -130,9 +139,17 @@ def check_layout(world: "World", *, source: str = "") -> None:
         WorldError: for the first such thing, with its path.
     """
     size = world.arena.size
+    for i, door in enumerate(world.doors):
+        if door.length < _SHORTEST_DOOR_M:
+            raise WorldError(
+                f"the door is {door.length:g} m wide; it takes at least {_SHORTEST_DOOR_M:g} m from 'hinge' to 'to'",
+                source=source,
+                path=f"doors[{i}].to",
+            )
     for path, footprint in footprints(world):
-        # Walls may touch the arena's own walls: only their middle line has to be inside.
-        shape = Footprint(footprint.corners) if path.startswith("walls") else footprint
+        # Walls may touch the arena's own walls: only their middle line has to be inside; and so with doors.
+        flat = path.startswith(("walls", "doors"))
+        shape = Footprint(footprint.corners) if flat else footprint
         if not shape.inside(size):
             corners = ", ".join(f"({c.x:.2f}, {c.y:.2f})" for c in shape.corners)
             raise WorldError(
@@ -140,14 +157,15 @@ def check_layout(world: "World", *, source: str = "") -> None:
                 + (f" with radius {shape.radius:g}" if shape.radius else "")
                 + f", the arena from (0, 0) to ({size[0]:g}, {size[1]:g})",
                 source=source,
-                path=path if path.startswith("walls") else f"{path}.at",
+                path=path if flat else f"{path}.at",
             )
     for (first_path, first), (second_path, second) in combinations(footprints(world), 2):
-        if first_path.startswith("walls") and second_path.startswith("walls"):
-            continue  # Walls meet in corners.
+        if first_path.startswith("walls") and second_path.startswith(("walls", "doors")):
+            continue  # Walls meet in corners, and doors hang on them.
         gap = first.gap_to(second)
         if gap < 0.0:
-            raise WorldError(f"overlaps {first_path}; move one of them", source=source, path=f"{second_path}.at")
+            place = second_path if second_path.startswith("doors") else f"{second_path}.at"
+            raise WorldError(f"overlaps {first_path}; move one of them", source=source, path=place)
     _check_script_places(world, source)
     names = [robot.name for robot in world.robots]
     for i, name in enumerate(names):
@@ -165,7 +183,7 @@ def _check_script_places(world: "World", source: str) -> None:
     if world.teacher is None:
         return
     radius = world.teacher.radius
-    solid = [(path, shape) for path, shape in footprints(world) if path.startswith(("walls", "targets"))]
+    solid = [(path, shape) for path, shape in footprints(world) if path.startswith(("walls", "doors", "targets"))]
     for i, item in enumerate(world.teacher.script):
         for key, place in (("walk", item.walk.to if item.walk else None), ("step_aside", item.step_aside)):
             if place is None:

@@ -9,8 +9,8 @@ would cost as much as the robot.
 import math
 
 from understudy.robot import RobotSpec
-from understudy.sim.layout import WALL_HALF_THICKNESS_M
-from understudy.sim.world import Box, RobotStart, Target, Teacher, Wall, World
+from understudy.sim.layout import DOOR_HALF_THICKNESS_M, WALL_HALF_THICKNESS_M
+from understudy.sim.world import DOOR_RANGE_DEG, Box, Door, RobotStart, Target, Teacher, Wall, World
 
 __all__ = [
     "BOX_HEIGHT_M",
@@ -30,6 +30,12 @@ WALL_HEIGHT_M = 0.60
 BOX_HEIGHT_M = 0.10
 _BOX_MASS_KG = 0.1
 _GRIPPER_MASS_KG = 0.3
+
+_DOOR_MASS_KG = 3.0
+_DOOR_FRICTION_NM, _DOOR_DAMPING = 1.5, 1.0
+"""Stiff enough to stop within a hand's breadth when nobody pushes it; a quarter of what the robot can push with."""
+_DOOR_GAP_M = 0.02
+"""Between leaf and floor."""
 
 GRIPPER_HEIGHT_M = 0.055
 """Middle of the paddles when they are down."""
@@ -51,7 +57,7 @@ MARKER_X_M, MARKER_RADIUS_M, MARKER_TOP_M = -0.12, 0.10, 0.72
 
 
 def mjcf(world: World, spec: RobotSpec) -> str:
-    """The whole model as XML text; names are ``wall0``, ``target0``, ``box0``, ``robot0``, ``teacher``."""
+    """The whole model as XML text; names are ``wall0``, ``door0``, ``target0``, ``box0``, ``robot0``, ``teacher``."""
     width, depth = world.arena.size
     parts = [
         f"""<mujoco model="world">
@@ -73,6 +79,7 @@ def mjcf(world: World, spec: RobotSpec) -> str:
     ]
     parts += [_wall(i, wall) for i, wall in enumerate(world.walls)]
     parts += [_wall(len(world.walls) + i, wall) for i, wall in enumerate(arena_walls(width, depth))]
+    parts += [_door(i, door) for i, door in enumerate(world.doors)]
     parts += [_target(i, target) for i, target in enumerate(world.targets)]
     parts += [_box(i, box) for i, box in enumerate(world.boxes)]
     parts += [_robot(i, robot, spec) for i, robot in enumerate(world.robots)]
@@ -100,6 +107,24 @@ def _wall(index: int, wall: Wall) -> str:
         f'<geom name="wall{index}" class="still" type="box" pos="{(ax + bx) / 2} {(ay + by) / 2} {WALL_HEIGHT_M / 2}"'
         f' euler="0 0 {angle}" size="{length / 2 + half} {half} {WALL_HEIGHT_M / 2}"/>'
     )
+
+
+def _door(index: int, door: Door) -> str:
+    """A leaf on a hinge, in two halves, since the camera's painter goes by the distances of middles."""
+    (x, y), limit = door.hinge, math.radians(DOOR_RANGE_DEG)
+    angle = math.atan2(door.to[1] - y, door.to[0] - x)
+    half = door.length / 4
+    middle, half_height = (_DOOR_GAP_M + WALL_HEIGHT_M) / 2, (WALL_HEIGHT_M - _DOOR_GAP_M) / 2
+    halves = "\n".join(
+        f'<geom name="door{index} {part}" class="still" type="box" pos="{(2 * i + 1) * half} 0 {middle}"'
+        f' size="{half} {DOOR_HALF_THICKNESS_M} {half_height}" mass="{_DOOR_MASS_KG / 2}"/>'
+        for i, part in enumerate(("inner", "outer"))
+    )
+    return f"""<body name="door{index}" pos="{x} {y} 0" euler="0 0 {angle}">
+  <joint name="door{index}" type="hinge" axis="0 0 1" range="-{limit} {limit}" damping="{_DOOR_DAMPING}"
+    frictionloss="{_DOOR_FRICTION_NM}"/>
+  {halves}
+</body>"""
 
 
 def _target(index: int, target: Target) -> str:

@@ -18,6 +18,7 @@ class Thing(Enum):
 
     FLOOR = "floor"
     WALL = "wall"
+    DOOR = "door"
     TARGET = "target"
     BOX = "box"
     ROBOT = "robot"
@@ -54,6 +55,7 @@ class ArenaModel:
         model: MuJoCo's ``MjModel``.
         robots: in the document's order.
         box_pose: start of each box's position and quaternion in ``qpos``; ``box_speed`` likewise in ``qvel``.
+        door_angle: each door's hinge in ``qpos``; ``door_speed`` likewise in ``qvel``.
         target_mocap: each target's row in ``mocap_pos``.
         teacher_mocap: the teacher's row, or None.
         things: for each geom, what it belongs to and which one, as an index into the document's list.
@@ -65,6 +67,8 @@ class ArenaModel:
     robots: tuple[RobotIndex, ...]
     box_pose: tuple[int, ...]
     box_speed: tuple[int, ...]
+    door_angle: tuple[int, ...]
+    door_speed: tuple[int, ...]
     target_mocap: tuple[int, ...]
     teacher_mocap: int | None
     things: tuple[tuple[Thing, int], ...]
@@ -74,6 +78,7 @@ class ArenaModel:
         """Compiles a world."""
         model = mujoco.MjModel.from_xml_string(mjcf(world, spec))
         boxes = [model.joint(f"box{i}") for i in range(len(world.boxes))]
+        doors = [model.joint(f"door{i}") for i in range(len(world.doors))]
         targets = [model.body(f"target{i}") for i in range(len(world.targets))]
         return cls(
             world=world,
@@ -82,6 +87,8 @@ class ArenaModel:
             robots=tuple(_robot_index(model, i) for i in range(len(world.robots))),
             box_pose=tuple(int(joint.qposadr[0]) for joint in boxes),
             box_speed=tuple(int(joint.dofadr[0]) for joint in boxes),
+            door_angle=tuple(int(joint.qposadr[0]) for joint in doors),
+            door_speed=tuple(int(joint.dofadr[0]) for joint in doors),
             target_mocap=tuple(int(body.mocapid[0]) for body in targets),
             teacher_mocap=int(model.body("teacher").mocapid[0]) if world.teacher else None,
             things=tuple(_thing(model.geom(i).name) for i in range(model.ngeom)),

@@ -23,12 +23,13 @@ GRAZING_S, GRAZING_N = 0.3, 90.0
 
 
 class CollisionKind(StrEnum):
-    """What a robot ran into."""
+    """What a robot ran into; a door is pushed rather than run into, as boxes are."""
 
     WALL = "wall"
     TARGET = "target"
     PERSON = "person"
     ROBOT = "robot"
+    DOOR = "door"
 
 
 _KINDS = {
@@ -36,6 +37,7 @@ _KINDS = {
     Thing.TARGET: CollisionKind.TARGET,
     Thing.PERSON: CollisionKind.PERSON,
     Thing.ROBOT: CollisionKind.ROBOT,
+    Thing.DOOR: CollisionKind.DOOR,
 }
 
 
@@ -84,6 +86,8 @@ class Referee:
         self._floor_or_box = np.array([thing in (Thing.FLOOR, Thing.BOX) for thing, _ in self._arena.things])
         self.collisions: list[Collision] = []
         """All episodes so far, in the order in which they began."""
+        self.pushes: list[Collision] = []
+        """The same for doors, which are there to be pushed: these are no collisions."""
         self.trajectories: dict[str, list[Pose]] = {name: [] for name in self._names}
         """True pose of each robot, one a control period, from when the referee began to watch."""
         self._substeps = 0
@@ -129,6 +133,10 @@ class Referee:
     def boxes(self) -> list[Point]:
         """True places of the boxes, in the document's order."""
         return [self._truth.box_place(i) for i in range(len(self._simulation.world.boxes))]
+
+    def doors(self) -> list[float]:
+        """How far the doors are open, degrees, in the document's order."""
+        return [self._truth.door_opening(i) for i in range(len(self._simulation.world.doors))]
 
     def teacher(self) -> Point | None:
         """True place of the teacher."""
@@ -183,6 +191,6 @@ class Referee:
                 max_force=0.0,
             )
             self._open[key] = episode
-            self.collisions.append(episode)
+            (self.pushes if thing is Thing.DOOR else self.collisions).append(episode)
         episode.end_s = round(now, 9)
         episode.max_force = max(episode.max_force, force)

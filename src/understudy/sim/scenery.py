@@ -21,6 +21,7 @@ Paint = tuple[float, float, float]
 """RGB, 0 to 255."""
 
 _WALL_PAINT: Paint = (206.0, 204.0, 198.0)
+_DOOR_PAINT: Paint = (150.0, 140.0, 128.0)
 _ROBOT_PAINT: Paint = (58.0, 58.0, 62.0)
 
 _WALL_PIECE_M = 0.5
@@ -47,7 +48,7 @@ class WallFace:
 
 
 class Prisms:
-    """Boxes in any attitude: inner walls (which never move) first, then the geoms of boxes and robots."""
+    """Boxes in any attitude: inner walls (which never move) first, then the geoms of doors, boxes and robots."""
 
     SIGNS: ClassVar[list[tuple[int, int, int]]] = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
     """Of the corners, along the three axes."""
@@ -70,6 +71,9 @@ class Prisms:
         for geom, (thing, number) in enumerate(arena.things):
             if thing is Thing.BOX:
                 self.paints.append(RGB[world.boxes[number].color])
+                self.owners.append(-1)
+            elif thing is Thing.DOOR:
+                self.paints.append(_DOOR_PAINT)
                 self.owners.append(-1)
             elif thing is Thing.ROBOT and not _is_cylinder(model, geom):
                 self.paints.append(_ROBOT_PAINT)

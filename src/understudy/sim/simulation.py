@@ -28,7 +28,7 @@ from understudy.sim.scenery import Scenery
 from understudy.sim.simulated_robot import SimRobot
 from understudy.sim.teacher import ScriptedTeacher
 from understudy.sim.truth import Truth
-from understudy.sim.world import World
+from understudy.sim.world import DOOR_RANGE_DEG, World
 
 __all__ = ["Simulation"]
 
@@ -57,6 +57,8 @@ class Simulation:
         ]
         self.truth = Truth(self.arena, self._data, self._bodies)
         self._teacher = ScriptedTeacher(self.arena, self.truth) if world.teacher is not None else None
+        for joint, door in zip(self.arena.door_angle, world.doors, strict=True):
+            self._data.qpos[joint] = math.radians(door.open_deg)
         mujoco.mj_kinematics(self._model, self._data)
         scenery = Scenery(self.arena, self._data)
         seeds = np.random.SeedSequence(self.seed).spawn(len(self._bodies))
@@ -186,6 +188,19 @@ class Simulation:
         at, speed = self.arena.box_pose[box], self.arena.box_speed[box]
         self._data.qpos[at : at + 7] = x, y, BOX_HEIGHT_M / 2, math.cos(half), 0.0, 0.0, math.sin(half)
         self._data.qvel[speed : speed + 6] = 0.0
+        self._touched()
+
+    def swing_door(self, which: int, open_deg: float) -> None:
+        """Opens or closes a door by hand, as far as the document could say."""
+        if not 0 <= which < len(self.world.doors):
+            raise WorldError(f"there is no door {which}; the world has {len(self.world.doors)}", source=self.world.name)
+        if not abs(open_deg) <= DOOR_RANGE_DEG:
+            raise WorldError(
+                f"a door swings from -{DOOR_RANGE_DEG:g} to {DOOR_RANGE_DEG:g} degrees, given {open_deg:g}",
+                source=self.world.name,
+            )
+        self._data.qpos[self.arena.door_angle[which]] = math.radians(open_deg)
+        self._data.qvel[self.arena.door_speed[which]] = 0.0
         self._touched()
 
     def move_robot(self, to: tuple[float, float], heading_deg: float, name: str = "learner") -> None:

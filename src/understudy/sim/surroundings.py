@@ -16,12 +16,13 @@ _REACH_M = 0.6
 
 
 class Surroundings:
-    """Walls, targets, boxes and robots around a place, as they truly are."""
+    """Walls, doors, targets, boxes and robots around a place, as they truly are."""
 
     def __init__(self, arena: ArenaModel, truth: Truth) -> None:
         self._truth = truth
         self._size = arena.world.arena.size
         self._walls = [(Point(*wall.start), Point(*wall.end)) for wall in arena.world.walls]
+        self._doors = arena.world.doors
         self._target_radii = [target.radius for target in arena.world.targets]
         self._box_radii = [box.size / math.sqrt(2) for box in arena.world.boxes]
 
@@ -43,6 +44,10 @@ class Surroundings:
                 yield Obstacle(edge, CLEARANCE_M)
         for start, end in self._walls:
             nearest = _nearest_of_segment(start, end, here)
+            if here.distance_to(nearest) < _REACH_M:
+                yield Obstacle(nearest, CLEARANCE_M)
+        for i, door in enumerate(self._doors):
+            nearest = _nearest_of_segment(Point(*door.hinge), door.edge(self._truth.door_opening(i)), here)
             if here.distance_to(nearest) < _REACH_M:
                 yield Obstacle(nearest, CLEARANCE_M)
         for place, radius in zip(self._truth.target_places(), self._target_radii, strict=True):

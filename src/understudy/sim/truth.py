@@ -3,6 +3,7 @@
 Robots, perception and learning must not read it; what they know comes through a robot's observations.
 """
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -37,6 +38,10 @@ class Truth:
     def box_height(self, box: int) -> float:
         """Of the box's middle above the floor, metres."""
         return float(self._data.qpos[self._arena.box_pose[box] + 2])
+
+    def door_opening(self, door: int) -> float:
+        """How far a door is open, degrees, counter-clockwise from above."""
+        return math.degrees(self._data.qpos[self._arena.door_angle[door]])
 
     def teacher_place(self) -> Point | None:
         """The middle of the teacher; None in a world without one."""

@@ -1,5 +1,6 @@
 """The world document: an arena, what stands in it, and the seed of all its randomness."""
 
+import math
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
@@ -10,6 +11,7 @@ from pydantic_core import PydanticCustomError
 from understudy.documents import Name as AnyName
 from understudy.documents import Part, expect_kind, first_fault, read_data
 from understudy.errors import WorldError
+from understudy.geometry import Point, Pose
 from understudy.robot import TEACHER_COLOR, Color
 from understudy.sim.layout import check_layout
 from understudy.sim.noise import NoiseLevels
@@ -19,6 +21,7 @@ from understudy.sim.script import ScriptItem
 __all__ = [
     "Arena",
     "Box",
+    "Door",
     "RobotStart",
     "Target",
     "Teacher",
@@ -30,6 +33,9 @@ __all__ = [
 ]
 
 Name = Annotated[AnyName, plainly("text of 1 to 80 characters that are not all blank")]
+
+DOOR_RANGE_DEG = 110.0
+"""So far a door swings, either way."""
 
 _BUNDLED = Path(__file__).parent / "worlds"
 
@@ -49,6 +55,35 @@ class Wall(Part):
 
     start: Place = Field(alias="from")
     end: Place = Field(alias="to")
+
+
+class Door(Part):
+    """A swinging door without a latch: it is pushed open with the body, either way, and stays where it was pushed.
+
+    Attributes:
+        hinge: where it hangs.
+        to: where its free edge is when it is closed.
+        open_deg: how far it is open at first, counter-clockwise from above.
+    """
+
+    hinge: Place
+    to: Place
+    open_deg: Annotated[
+        float,
+        Field(ge=-DOOR_RANGE_DEG, le=DOOR_RANGE_DEG),
+        plainly(f"a number of degrees from -{DOOR_RANGE_DEG:g} to {DOOR_RANGE_DEG:g}"),
+    ] = 0.0
+
+    @property
+    def length(self) -> float:
+        """From the hinge to the free edge, metres."""
+        return Point(*self.hinge).distance_to(Point(*self.to))
+
+    def edge(self, open_deg: float) -> Point:
+        """Where the free edge is when the door is open so far."""
+        hinge, closed = Point(*self.hinge), Point(*self.to)
+        turned = math.atan2(closed.y - hinge.y, closed.x - hinge.x) + math.radians(open_deg)
+        return Pose(hinge.x, hinge.y, turned).to_parent(Point(self.length, 0.0))
 
 
 class Target(Part):
@@ -142,6 +177,7 @@ class World(Part):
         seed: of every random number in a run.
         arena: the walled floor.
         walls: further walls.
+        doors: swinging doors.
         targets: tall cylinders.
         boxes: small boxes.
         robots: at least one.
@@ -154,6 +190,7 @@ class World(Part):
     seed: Annotated[int, Field(ge=0), plainly("a whole number, 0 or more")] = 0
     arena: Arena
     walls: tuple[Wall, ...] = ()
+    doors: tuple[Door, ...] = ()
     targets: tuple[Target, ...] = ()
     boxes: tuple[Box, ...] = ()
     robots: Annotated[tuple[RobotStart, ...], AfterValidator(_at_least_one), Field(json_schema_extra={"minItems": 1})]
