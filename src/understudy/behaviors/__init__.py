@@ -8,6 +8,7 @@ from understudy.behaviors.skill import (
     AbstractBehavior,
     Action,
     Actuator,
+    Attentive,
     Drive,
     Head,
     Instance,
@@ -16,6 +17,7 @@ from understudy.behaviors.skill import (
     Parameters,
     PrimitiveBehavior,
     Skill,
+    Strip,
     Worded,
 )
 from understudy.behaviors.wander import Wander
@@ -25,6 +27,7 @@ __all__ = [
     "AbstractBehavior",
     "Action",
     "Actuator",
+    "Attentive",
     "Avoid",
     "AvoidSettings",
     "Drive",
@@ -38,6 +41,7 @@ __all__ = [
     "PrimitiveBehavior",
     "Skill",
     "SkillSet",
+    "Strip",
     "Wander",
     "Worded",
     "installed_skills",

@@ -75,8 +75,8 @@ class Avoid:
             matters &= ~_within(obstacles, aim, aim_radius + 0.12)
         bearing = self._free_bearing(head.bearing, obstacles[matters], reach)
         if bearing is None:
-            return Drive(angular=math.copysign(0.6, head.bearing))
-        angular = max(-1.2, min(1.2, 2.0 * bearing))
+            return Drive(angular=math.copysign(min(0.6, head.turn), head.bearing))
+        angular = max(-head.turn, min(head.turn, 2.0 * bearing))
         # Turn on the spot towards what lies aside; slow down in proportion before that.
         linear = head.speed * max(0.0, math.cos(min(math.pi / 2, 1.5 * abs(bearing))))
         return Drive(linear=linear, angular=angular)

@@ -34,12 +34,16 @@ class Motion:
         lift = next((action.lift for action in actions if action.lift), None)
         driving = next((action for action in actions if action.drive is not None), None)
         if driving is not None and driving.drive is not None:
-            wanted = driving.drive
+            wanted, met = driving.drive, percepts.obstacles
+            if driving.pushing is not None:
+                met = met[~driving.pushing.holds(met)]
             if isinstance(wanted, Head):
                 around = surroundings(percepts, driving.aim)
+                if driving.pushing is not None:
+                    around = around[~driving.pushing.holds(around)]
                 wanted = self.avoid.steer(wanted, around, driving.aim, driving.aim_radius)
             # Small boxes are gone around, but they are light: better to push one a little than to be stuck beside it.
-            drive, overridden = self.avoid.guard(wanted, percepts.obstacles, driving.aim, driving.aim_radius)
+            drive, overridden = self.avoid.guard(wanted, met, driving.aim, driving.aim_radius)
         top, spin = self.spec.max_linear, self.spec.max_angular
         command = Command(
             linear=max(-top, min(top, drive.linear)),

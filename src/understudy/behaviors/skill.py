@@ -4,21 +4,26 @@ A skill holds no run-time data. What a primitive must remember from one tick to 
 memory, a plain value that the execution's context keeps.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from random import Random
 from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 
+import numpy as np
+from numpy.typing import NDArray
+
 from understudy.errors import SkillError
-from understudy.geometry import Point
-from understudy.perception import Percepts
+from understudy.geometry import Point, Pose
+from understudy.perception import Attention, Percepts
 from understudy.robot import Color
 
 __all__ = [
     "AbstractBehavior",
     "Action",
     "Actuator",
+    "Attentive",
     "Drive",
     "Head",
     "Instance",
@@ -27,11 +32,12 @@ __all__ = [
     "Parameters",
     "PrimitiveBehavior",
     "Skill",
+    "Strip",
     "Worded",
 ]
 
 Parameters = Mapping[str, Any]
-"""Parameter values by name, checked and complete: colors as :class:`Color`, numbers as float."""
+"""Parameter values by name, checked and complete: colors as :class:`Color`, words as str, numbers as float."""
 
 Memory = dict[str, Any]
 """What a primitive remembers between ticks; plain data. Empty when it starts. A primitive gives back a new one."""
@@ -50,25 +56,31 @@ class Parameter:
 
     Attributes:
         name: with its unit, ``distance_m``.
-        kind: a color tells instances of a behavior apart; a number is continuous.
+        kind: a color or a word tells instances of a behavior apart; a number is continuous.
         low, high: limits of a number.
+        words: that a word can be.
         default: taken where a network gives no value; None makes the parameter obligatory.
         tolerance: how far from a number the goal still counts as reached.
     """
 
     name: str
-    kind: Literal["color", "number"]
+    kind: Literal["color", "number", "word"]
     low: float = 0.0
     high: float = 0.0
-    default: float | None = None
+    words: tuple[str, ...] = ()
+    default: float | str | None = None
     tolerance: float = 0.0
 
-    def check(self, skill: str, value: object) -> Color | float:
+    def check(self, skill: str, value: object) -> Color | str | float:
         """The value as the skill takes it.
 
         Raises:
-            SkillError: not a trained color, or not a number within the limits.
+            SkillError: not a trained color, not one of the words, or not a number within the limits.
         """
+        if self.kind == "word":
+            if value not in self.words:
+                raise SkillError(f"{skill}: {self.name} is {value!r}; it is one of: {', '.join(self.words)}")
+            return str(value)
         if self.kind == "color":
             try:
                 return Color(str(value))
@@ -106,10 +118,37 @@ class Drive:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Head:
-    """Go in a direction of the robot's frame (radians, left positive) at a speed (m/s); obstacles are gone around."""
+    """Go in a direction of the robot's frame (radians, left positive) at a speed (m/s); obstacles are gone around.
+
+    The robot turns by at most ``turn`` radians a second.
+    """
 
     bearing: float
     speed: float
+    turn: float = 1.2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Strip:
+    """A part of the floor, across which a door's leaf may stand; metres.
+
+    Attributes:
+        frame: its middle, in the robot's frame; its x axis leads through.
+        half_width: along the y axis, to both sides.
+        reach: along the x axis, both ways.
+    """
+
+    frame: Pose
+    half_width: float
+    reach: float
+
+    def holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Which of these points of the robot's frame lie on it."""
+        c, s = math.cos(self.frame.heading), math.sin(self.frame.heading)
+        dx, dy = points[:, 0] - self.frame.x, points[:, 1] - self.frame.y
+        inside: NDArray[np.bool_] = np.abs(c * dy - s * dx) < self.half_width
+        inside &= np.abs(c * dx + s * dy) < self.reach
+        return inside
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,6 +160,7 @@ class Action:
         paddles, lift: for the gripper; None leaves it as it is.
         aim: the thing that the skill approaches on purpose; ``Avoid`` does not fight that (semantics §1).
         aim_radius: its radius, metres.
+        pushing: where the robot pushes away on purpose what stands in its way; ``Avoid`` does not fight that either.
         keep_on: the port ``Continue``: do not interrupt me yet (§3.2.2).
     """
 
@@ -129,6 +169,7 @@ class Action:
     lift: Literal["up", "down"] | None = None
     aim: Point | None = None
     aim_radius: float = 0.0
+    pushing: Strip | None = None
     keep_on: bool = False
 
 
@@ -189,6 +230,15 @@ class Worded(Protocol):
         ...
 
 
+@runtime_checkable
+class Attentive(Protocol):
+    """An abstract behavior whose goal rests on landmarks, which the robot then watches."""
+
+    def attention(self, parameters: Parameters) -> Attention:
+        """The landmarks that matter with these parameters."""
+        ...
+
+
 class PrimitiveBehavior(Protocol):
     """The active half of a skill: while its abstract behavior is active it computes commands."""
 
@@ -208,6 +258,10 @@ class Skill:
     def name(self) -> str:
         return self.abstract.name
 
+    def attention(self, parameters: Parameters) -> Attention:
+        """The landmarks that matter with these parameters; none to most skills."""
+        return self.abstract.attention(parameters) if isinstance(self.abstract, Attentive) else Attention()
+
     def complete(self, given: Mapping[str, object]) -> Parameters:
         """Checks given parameter values and adds the defaults.
 
@@ -219,7 +273,7 @@ class Skill:
             if name not in known:
                 takes = ", ".join(known) or "no parameters"
                 raise SkillError(f"{self.name} has no parameter {name!r}; it takes {takes}")
-        values: dict[str, Color | float] = {}
+        values: dict[str, Color | str | float] = {}
         for name, parameter in known.items():
             value = given.get(name, parameter.default)
             if value is None:

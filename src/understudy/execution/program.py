@@ -6,6 +6,8 @@ together is the *scope*, one network: the whole task is a scope, and every case 
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import reduce
+from operator import or_
 
 from understudy.behaviors import Actuator, Parameters, Skill, unknown_skill
 from understudy.errors import NetworkError, SkillError
@@ -23,6 +25,7 @@ from understudy.network import (
     Trigger,
     atoms,
 )
+from understudy.perception import Attention
 
 __all__ = ["Arc", "Node", "Program", "Route", "Scope", "Sense", "compile_network"]
 
@@ -142,6 +145,13 @@ class Program:
     timeouts: tuple[int, ...]
     duties: tuple[int, ...]
     senses: Mapping[str, Sense]
+
+    @property
+    def attention(self) -> Attention:
+        """The landmarks that the network's skills, and its conditions, need to have watched."""
+        used = [(node.skill, node.parameters) for node in self.nodes if node.skill is not None]
+        used += self.senses.values()
+        return reduce(or_, (skill.attention(parameters) for skill, parameters in used), Attention())
 
     def ancestors(self, row: int) -> Iterator[int]:
         """The NABs in which a node stands, the innermost first."""

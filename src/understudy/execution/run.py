@@ -65,7 +65,8 @@ def run_network(
         RobotError: the robot's readings could not be used.
     """
     controller = Controller(network, skills, robot.spec, seed=seed)
-    return go_on(robot, controller, Perception(robot.spec), limit_s=limit_s, journal=journal, watch=watch)
+    perception = Perception(robot.spec, attention=controller.program.attention)
+    return go_on(robot, controller, perception, limit_s=limit_s, journal=journal, watch=watch)
 
 
 def go_on(

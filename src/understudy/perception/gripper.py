@@ -23,6 +23,12 @@ _PUSHED = 0.80
 
 _LATELY_S = 5.0
 
+_CAPTURED_S = 0.5
+"""What has stood between the open paddles for so long is pushed along, and is no longer where it was seen."""
+
+_PUT_M = 0.06
+"""So far beyond the beam is the middle of a box that has just left it."""
+
 
 class GripperSense:
     """Debounces the gripper's sensors and remembers the color of what it took.
@@ -37,6 +43,8 @@ class GripperSense:
         self.holding = False
         self._differs = 0
         self._begun = False
+        self.pushing: Color | None = None
+        self._let_in_s: float | None = None
         self._last: tuple[Color, float, Point] | None = None
 
     def update(self, time_s: float, pose: Pose, reading: GripperReading | None, boxes: Memory) -> GripperState | None:
@@ -54,6 +62,7 @@ class GripperSense:
         else:
             self.color = None
         self.holding = holding
+        self._push(time_s, pose, reading, boxes)
         return GripperState(
             holding=holding,
             empty=not self.blocked,
@@ -61,7 +70,28 @@ class GripperSense:
             open=reading.aperture > _OPEN_ABOVE,
             raised=reading.lift > _RAISED_ABOVE,
             blocked=self.blocked,
+            pushing=self.pushing,
         )
+
+    def _push(self, time_s: float, pose: Pose, reading: GripperReading, boxes: Memory) -> None:
+        """What stands between the open, lowered paddles leaves the memory of things on the floor, and returns to it."""
+        if self.holding or (self.blocked and reading.lift > _RAISED_ABOVE):
+            self._let_in_s = self.pushing = None
+        elif self.blocked:
+            self._let_in_s = time_s if self._let_in_s is None else self._let_in_s
+            if time_s - self._let_in_s >= _CAPTURED_S and self.color is not None:
+                self.pushing = self.color
+                track = boxes.nearest(pose.to_parent(Point(self._mouth_x, 0.0)), _REACH)
+                if track is not None and track.seen_s < time_s and track.color is self.color:
+                    boxes.forget(track)
+        else:
+            if self.pushing is not None:
+                boxes.put(time_s, pose, Point(self._mouth_x + _PUT_M, 0.0), self.pushing)
+            self._let_in_s = self.pushing = None
+
+    @property
+    def _mouth_x(self) -> float:
+        return self.spec.gripper.x_beam if self.spec.gripper else 0.0
 
     def _recognise(self, time_s: float, mouth: Point, boxes: Memory, *, holding: bool) -> None:
         """Which box stands between the paddles: what stands there is not on the floor for the taking."""

@@ -98,6 +98,13 @@ class Memory:
             track.believed = True
         return track
 
+    def put(self, time_s: float, pose: Pose, position: Point, color: Color, *, radius: float = 0.05) -> None:
+        """A thing of which the robot knows without seeing it now is at ``position`` (robot's frame)."""
+        track = Track(self.next_id, pose.to_parent(position), radius, time_s, time_s, believed=True)
+        track.votes[color] = self.settings.confirm
+        self.next_id += 1
+        self.tracks.append(track)
+
     def felt(self, track: Track, time_s: float, pose: Pose, position: Point, radius: float, *, whole: bool) -> None:
         """The laser met a believed thing at ``position`` (robot's frame); it tells no color.
 

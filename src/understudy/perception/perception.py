@@ -12,9 +12,11 @@ from understudy.errors import RobotError
 from understudy.geometry import Point, Pose
 from understudy.perception.blobs import Blob, find_blobs
 from understudy.perception.cylinders import Cylinder, find_cylinders
+from understudy.perception.doorways import DoorwayMemory
 from understudy.perception.gripper import GripperSense
+from understudy.perception.landmarks import LandmarkMemory
 from understudy.perception.memory import Memory, MemorySettings, Track
-from understudy.perception.percepts import Percepts, Thing
+from understudy.perception.percepts import Attention, Percepts, Thing
 from understudy.perception.projection import Projection
 from understudy.robot import TEACHER_COLOR, Observation, RobotSpec, Scan
 
@@ -51,6 +53,9 @@ _FAR = 4.0
 _CUT = 0.3
 """A blob narrowed by the picture's border fits less well than a whole one of the right width."""
 
+_SLIM = 3
+"""Pixels; a narrower blob is too slim for its direction to be trusted."""
+
 _LASER_HALF_FIELD = math.radians(85)
 _NEAR = 1.0
 _RIM = np.array([(math.cos(a), math.sin(a)) for a in np.radians(np.arange(0, 360, 30))])
@@ -62,9 +67,12 @@ class Perception:
     Args:
         spec: the robot whose sensors these are.
         settings: limits.
+        attention: the landmarks to be watched; none if left out.
     """
 
-    def __init__(self, spec: RobotSpec, settings: PerceptionSettings | None = None) -> None:
+    def __init__(
+        self, spec: RobotSpec, settings: PerceptionSettings | None = None, attention: Attention | None = None
+    ) -> None:
         self.spec = spec
         self.settings = settings or PerceptionSettings()
         self.projection = Projection(spec.camera)
@@ -74,6 +82,9 @@ class Perception:
         # People walk: half a metre per sighting is generous at 10 Hz, yet keeps two people apart.
         self.people = Memory(MemorySettings(gate_m=0.45, forget=4, smoothing=0.9))
         self.gripper = GripperSense(spec)
+        attention = attention or Attention()
+        self.landmarks = LandmarkMemory(attention.colors)
+        self.doorways = DoorwayMemory(attention.doorways)
 
     def update(self, observation: Observation) -> Percepts:
         """The percepts of one observation.
@@ -88,7 +99,10 @@ class Perception:
         time_s, pose = observation.time_s, observation.odometry.pose
         cylinders = find_cylinders(observation.scan, self.spec.laser.x)
         if image is not None:
-            self._look(time_s, pose, observation.scan, cylinders, find_blobs(image))
+            blobs = find_blobs(image)
+            if self.landmarks.colors:
+                self._look_for_landmarks(time_s, pose, observation.scan, blobs)
+            self._look(time_s, pose, observation.scan, cylinders, blobs)
         self._feel(time_s, pose, cylinders)
         self._forget(time_s, pose, observation.scan, looked=image is not None)
         gripper = self.gripper.update(time_s, pose, observation.gripper, self.boxes)
@@ -98,6 +112,8 @@ class Perception:
             if thing.distance_m <= self.settings.teacher_range and thing.sensed
         ]
         targets = self.targets.things(time_s, pose)
+        landmarks = self.landmarks.things(time_s, pose) if self.landmarks.colors else {}
+        obstacles = self._obstacles(observation, targets)
         return Percepts(
             time_s=time_s,
             odometry=observation.odometry,
@@ -105,7 +121,9 @@ class Perception:
             boxes=self.boxes.things(time_s, pose),
             teacher=people[0] if people else None,
             gripper=gripper,
-            obstacles=self._obstacles(observation, targets),
+            landmarks=landmarks,
+            doorways=self.doorways.update(landmarks, obstacles) if landmarks else (),
+            obstacles=obstacles,
         )
 
     def _resized(self, image: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -135,6 +153,44 @@ class Perception:
         for blob in blobs:
             if blob.top >= self.projection.horizon_row - 1 and blob.color is not TEACHER_COLOR:
                 self._look_at_small(time_s, pose, scan, blob)
+
+    def _look_for_landmarks(self, time_s: float, pose: Pose, scan: Scan, blobs: list[Blob]) -> None:
+        """The camera gives the direction of a landmark, the laser the distance there (§3.5.3.2)."""
+        camera = self.spec.camera
+        for blob in blobs:
+            if blob.color not in self.landmarks.colors or blob.top >= self.projection.horizon_row - 1:
+                continue
+            if blob.left <= 0 or blob.right >= camera.width - 1 or blob.right - blob.left < _SLIM:
+                continue
+            row = (blob.top + blob.bottom) / 2
+            columns = (blob.left + (blob.right - blob.left) * share for share in (0.3, 0.5, 0.7))
+            bearings = [self.projection.bearing(column, row) for column in columns]
+            away = min(self._range_along(scan, bearing) for bearing in bearings)
+            if not 0.0 < away <= self.settings.target_range or not self._stands_there(blob, away):
+                continue
+            radius = min(0.3, (blob.right - blob.left + 1) / 2 / camera.focal_px * away)
+            reach = away + radius
+            position = Point(camera.x + reach * math.cos(bearings[1]), reach * math.sin(bearings[1]))
+            if self.landmarks.sighted(time_s, pose, position, radius, blob.color):
+                # Somebody put the robot elsewhere: what it remembers is not where it believes it to be.
+                for memory in (self.targets, self.boxes):
+                    memory.tracks = []
+
+        def missing(here: Point) -> bool:
+            if here.distance > self.settings.target_range - 0.5:
+                return False
+            hidden = self._range_towards(scan, here) < here.distance - 0.4
+            return not hidden and self.projection.sees(here, _TALL_TOP / 2, margin=12)
+
+        self.landmarks.contradict(time_s, pose, missing)
+
+    def _range_along(self, scan: Scan, bearing: float) -> float:
+        """What the laser, which sits nearly where the camera does, measures in a direction; zero if nothing."""
+        index = round((bearing - scan.angle_min) / scan.angle_increment)
+        if not 0 <= index < len(scan.ranges):
+            return 0.0
+        reading = float(scan.ranges[index])
+        return reading + self.spec.laser.x - self.spec.camera.x if math.isfinite(reading) else 0.0
 
     def _matched(self, blobs: list[Blob], cylinders: list[Cylinder]) -> list[tuple[Blob, Cylinder]]:
         """Which tall blob is which of the laser's objects: in the same direction, and as wide as it should look.

@@ -1,0 +1,113 @@
+"""``GoTo(place)``: go home, to the beacon, or to the door (§3.5.2.2)."""
+
+import math
+from collections.abc import Mapping
+from random import Random
+
+from understudy.behaviors.rooms import BEACON, LEFT_POST, RIGHT_POST, STAND_M, Passage, doorway_of, posts_of
+from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
+from understudy.geometry import Point, wrap_angle
+from understudy.perception import Attention, Doorway, Percepts, Thing
+
+__all__ = ["GO_TO", "AbstractGoTo", "PrimitiveGoTo"]
+
+DOOR, HOME = "door", "home"
+PLACE = Parameter(name="place", kind="word", words=(HOME, DOOR))
+
+_HOME_M = 0.65
+"""At home the robot's turning point is so far from the beacon's surface, and a box that it pushes in between."""
+
+_HOME_SLACK_M, _HOME_SLACK = 0.10, math.radians(30)
+
+_LATELY_S = 5.0
+"""A beacon that was not seen for so long may be somewhere else."""
+
+_DOOR_SLACK_M, _DOOR_SLACK = 0.25, math.radians(15)
+
+
+class AbstractGoTo:
+    """Goal: ``AtPlace(place) = True``: near the beacon and facing it, or before the door and facing it."""
+
+    name = "GoTo"
+    parameters = (PLACE, BEACON, LEFT_POST, RIGHT_POST)
+    actuators = frozenset({Actuator.WHEELS})
+    maintaining = False
+
+    def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
+        if parameters["place"] == HOME:
+            beacon = percepts.landmarks.get(parameters["beacon"])
+            return beacon is not None and _at_home(percepts, beacon)
+        doorway = doorway_of(percepts, parameters)
+        return doorway is not None and _before_the_door(doorway)
+
+    def precondition(self, percepts: Percepts, parameters: Parameters) -> bool:
+        if parameters["place"] == HOME:
+            return parameters["beacon"] in percepts.landmarks
+        return doorway_of(percepts, parameters) is not None
+
+    def observe(self, percepts: Percepts) -> Mapping[Instance, Mapping[str, float]]:
+        places = [DOOR] if any(map(_before_the_door, percepts.doorways)) else []
+        beacon = percepts.landmarks.get(BEACON.check(self.name, BEACON.default))  # type: ignore[call-overload]
+        if beacon is not None and _at_home(percepts, beacon):
+            places.append(HOME)
+        return {Instance(self.name, (("place", place),)): {} for place in places}
+
+    def describe(self, parameters: Parameters) -> str:
+        return "go home" if parameters["place"] == HOME else "go to the door"
+
+    def attention(self, parameters: Parameters) -> Attention:
+        if parameters["place"] == HOME:
+            return Attention(landmarks=frozenset({parameters["beacon"]}))
+        return posts_of(parameters)
+
+
+def _at_home(percepts: Percepts, beacon: Thing) -> bool:
+    return (
+        beacon.distance_m <= _HOME_M + _HOME_SLACK_M
+        and abs(beacon.bearing) <= _HOME_SLACK
+        and percepts.time_s - beacon.seen_s <= _LATELY_S
+    )
+
+
+def _before_the_door(doorway: Doorway) -> bool:
+    passage = Passage.into(doorway, "far" if doorway.room == "near" else "near")
+    here = passage.here
+    apart = math.hypot(here.x + STAND_M, here.y)
+    return apart <= _DOOR_SLACK_M and abs(here.heading) <= _DOOR_SLACK
+
+
+class PrimitiveGoTo:
+    """Drives there, so gently that what stands between the open paddles stays between them."""
+
+    speed, turn = 0.30, 0.6
+
+    def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
+        if parameters["place"] == HOME:
+            return self._home(percepts.landmarks[parameters["beacon"]]), {}
+        doorway = doorway_of(percepts, parameters)
+        assert doorway is not None
+        return self._door(doorway), {}
+
+    def _home(self, beacon: Thing) -> Action:
+        left = beacon.distance_m - _HOME_M
+        drive: Drive | Head
+        if left > 0.5 * _HOME_SLACK_M:
+            speed = min(self.speed, 0.10 + 0.6 * left)
+            drive = Head(bearing=beacon.bearing, speed=speed, turn=self.turn)
+        else:
+            drive = Drive(angular=self._turn(beacon.bearing))
+        return Action(drive=drive, aim=beacon.position, aim_radius=beacon.radius)
+
+    def _door(self, doorway: Doorway) -> Action:
+        passage = Passage.into(doorway, "far" if doorway.room == "near" else "near")
+        stand = passage.frame.to_parent(Point(-STAND_M, 0.0))
+        if stand.distance > 0.6 * _DOOR_SLACK_M:
+            speed = min(self.speed, 0.10 + 0.6 * stand.distance)
+            return Action(drive=Head(bearing=stand.bearing, speed=speed, turn=self.turn))
+        return Action(drive=Drive(angular=self._turn(wrap_angle(passage.frame.heading))))
+
+    def _turn(self, bearing: float) -> float:
+        return max(-self.turn, min(self.turn, 1.5 * bearing))
+
+
+GO_TO = Skill(AbstractGoTo(), PrimitiveGoTo())

@@ -1,0 +1,48 @@
+"""``Localize``: find out in which room the robot is (§3.5.2.2)."""
+
+from collections.abc import Mapping
+from random import Random
+
+from understudy.behaviors.rooms import LEFT_POST, RIGHT_POST, doorway_of, posts_of
+from understudy.behaviors.skill import Action, Actuator, Instance, Memory, Parameter, Parameters, Skill
+from understudy.behaviors.wander import Wander
+from understudy.perception import Attention, Percepts
+
+__all__ = ["LOCALIZE", "AbstractLocalize", "PrimitiveLocalize"]
+
+
+class AbstractLocalize:
+    """Goal: ``SideRoom(Home) = TRUE`` or ``SideRoom(OtherSide) = TRUE``, whichever it is."""
+
+    name = "Localize"
+    parameters: tuple[Parameter, ...] = (LEFT_POST, RIGHT_POST)
+    actuators = frozenset({Actuator.WHEELS})
+    maintaining = False
+
+    def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
+        return doorway_of(percepts, parameters) is not None
+
+    def precondition(self, percepts: Percepts, parameters: Parameters) -> bool:
+        return True
+
+    def observe(self, percepts: Percepts) -> Mapping[Instance, Mapping[str, float]]:
+        return {Instance(self.name): {}} if percepts.doorways else {}
+
+    def describe(self, parameters: Parameters) -> str:
+        return "find out in which room you are"
+
+    def attention(self, parameters: Parameters) -> Attention:
+        return posts_of(parameters)
+
+
+class PrimitiveLocalize:
+    """Wanders around until both posts of the door have been seen."""
+
+    def __init__(self) -> None:
+        self._wander = Wander()
+
+    def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
+        return self._wander.step(percepts, memory, random)
+
+
+LOCALIZE = Skill(AbstractLocalize(), PrimitiveLocalize())
