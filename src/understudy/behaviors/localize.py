@@ -3,33 +3,41 @@
 from collections.abc import Mapping
 from random import Random
 
-from understudy.behaviors.rooms import LEFT_POST, RIGHT_POST, doorway_of, posts_of
+from understudy.behaviors.rooms import HOME, LEFT_POST, OTHER, RIGHT_POST, doorway_of, posts_of, room_of
 from understudy.behaviors.skill import Action, Actuator, Instance, Memory, Parameter, Parameters, Skill
 from understudy.behaviors.wander import Wander
 from understudy.perception import Attention, Percepts
 
 __all__ = ["LOCALIZE", "AbstractLocalize", "PrimitiveLocalize"]
 
+EITHER = "either"
+WHICH = Parameter(name="room", kind="word", words=(EITHER, HOME, OTHER), default=EITHER)
+
 
 class AbstractLocalize:
-    """Goal: ``SideRoom(Home) = TRUE`` or ``SideRoom(OtherSide) = TRUE``, whichever it is."""
+    """Goal: ``SideRoom(Home) = TRUE`` or ``SideRoom(OtherSide) = TRUE``: whichever it is, or the one that is asked for.
+
+    As a step of a task it is asked for either; as a condition, for the one or the other.
+    """
 
     name = "Localize"
-    parameters: tuple[Parameter, ...] = (LEFT_POST, RIGHT_POST)
+    parameters: tuple[Parameter, ...] = (WHICH, LEFT_POST, RIGHT_POST)
     actuators = frozenset({Actuator.WHEELS})
     maintaining = False
 
     def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
-        return doorway_of(percepts, parameters) is not None
+        doorway = doorway_of(percepts, parameters)
+        return doorway is not None and parameters["room"] in (EITHER, room_of(doorway))
 
     def precondition(self, percepts: Percepts, parameters: Parameters) -> bool:
         return True
 
     def observe(self, percepts: Percepts) -> Mapping[Instance, Mapping[str, float]]:
-        return {Instance(self.name): {}} if percepts.doorways else {}
+        return {Instance(self.name, (("room", EITHER),)): {}} if percepts.doorways else {}
 
     def describe(self, parameters: Parameters) -> str:
-        return "find out in which room you are"
+        room = parameters["room"]
+        return "find out in which room you are" if room == EITHER else f"find out that you are in the {room} room"
 
     def attention(self, parameters: Parameters) -> Attention:
         return posts_of(parameters)

@@ -4,10 +4,11 @@ import math
 from random import Random
 
 import numpy as np
+from numpy.typing import NDArray
 
 from understudy.behaviors.skill import Action, Drive, Head, Memory
 from understudy.geometry import Pose, wrap_angle
-from understudy.perception import Percepts
+from understudy.perception import Doorway, Percepts
 
 __all__ = ["Wander"]
 
@@ -50,6 +51,8 @@ class Wander:
         bearings = np.radians(np.arange(-85, 86, 10))
         room = np.array([_room(percepts, bearing) for bearing in bearings])
         lengths = np.clip(room - 0.5, 0.0, self.longest_leg)
+        for doorway in percepts.doorways:
+            lengths = np.minimum(lengths, np.maximum(0.0, _way_to(doorway, bearings) - 0.6))
         weights = lengths**2 + 1e-6
         index = random.choices(range(len(bearings)), weights=weights.tolist())[0]
         pose = percepts.odometry.pose
@@ -67,6 +70,13 @@ class Wander:
         if gone >= memory["length"] or percepts.time_s > memory["until"]:
             return Action(drive=Drive()), {}
         return Action(drive=Head(bearing=wrap_angle(memory["heading"] - pose.heading), speed=self.speed)), memory
+
+
+def _way_to(doorway: Doorway, bearings: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How far the robot could go in each direction before it leaves the room: that one is searched before the next."""
+    here = doorway.here
+    closing = -np.sign(here.x) * np.cos(here.heading + bearings)
+    return np.where(closing > 1e-3, abs(here.x) / np.maximum(closing, 1e-3), np.inf)
 
 
 def _room(percepts: Percepts, bearing: float) -> float:
