@@ -51,8 +51,6 @@ class PrimitiveGoThroughDoor:
     """
 
     speed, turn = 0.25, 0.6
-    shy_m = 0.35
-    """The middle of the robot stays so far from the posts."""
 
     def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         doorway = doorway_of(percepts, parameters)
@@ -60,9 +58,7 @@ class PrimitiveGoThroughDoor:
         passage = Passage.into(doorway, "near" if parameters["room"] == HOME else "far")
         if percepts.teacher is not None and passage.lined_up:
             return Action(drive=Drive()), {}  # somebody is in the way, and must not be pushed
-        room = max(0.0, passage.half_width - self.shy_m)
-        middle = sum(passage.gap) / 2 if passage.gap is not None else 0.0
-        drive = passage.through(max(-room, min(room, middle)), self.speed, self.turn)
+        drive = passage.through(passage.line, self.speed, self.turn)
         return Action(drive=drive, pushing=passage.leaf if passage.lined_up else None), {}
 
 

@@ -4,9 +4,9 @@ import math
 from collections.abc import Mapping
 from random import Random
 
-from understudy.behaviors.rooms import BEACON, LEFT_POST, RIGHT_POST, STAND_M, Passage, doorway_of, posts_of
+from understudy.behaviors.rooms import BEACON, LEFT_POST, RIGHT_POST, Passage, doorway_of, posts_of
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
-from understudy.geometry import Point, wrap_angle
+from understudy.geometry import wrap_angle
 from understudy.perception import Attention, Doorway, Percepts, Thing
 
 __all__ = ["GO_TO", "AbstractGoTo", "PrimitiveGoTo"]
@@ -71,9 +71,7 @@ def _at_home(percepts: Percepts, beacon: Thing) -> bool:
 
 def _before_the_door(doorway: Doorway) -> bool:
     passage = Passage.into(doorway, "far" if doorway.room == "near" else "near")
-    here = passage.here
-    apart = math.hypot(here.x + STAND_M, here.y)
-    return apart <= _DOOR_SLACK_M and abs(here.heading) <= _DOOR_SLACK
+    return passage.stand.distance <= _DOOR_SLACK_M and abs(passage.here.heading) <= _DOOR_SLACK
 
 
 class PrimitiveGoTo:
@@ -86,7 +84,7 @@ class PrimitiveGoTo:
             return self._home(percepts.landmarks[parameters["beacon"]]), {}
         doorway = doorway_of(percepts, parameters)
         assert doorway is not None
-        return self._door(doorway), {}
+        return self._door(doorway, memory)
 
     def _home(self, beacon: Thing) -> Action:
         left = beacon.distance_m - _HOME_M
@@ -98,13 +96,14 @@ class PrimitiveGoTo:
             drive = Drive(angular=self._turn(beacon.bearing))
         return Action(drive=drive, aim=beacon.position, aim_radius=beacon.radius)
 
-    def _door(self, doorway: Doorway) -> Action:
+    def _door(self, doorway: Doorway, memory: Memory) -> tuple[Action, Memory]:
         passage = Passage.into(doorway, "far" if doorway.room == "near" else "near")
-        stand = passage.frame.to_parent(Point(-STAND_M, 0.0))
-        if stand.distance > 0.6 * _DOOR_SLACK_M:
-            speed = min(self.speed, 0.10 + 0.6 * stand.distance)
-            return Action(drive=Head(bearing=stand.bearing, speed=speed, turn=self.turn))
-        return Action(drive=Drive(angular=self._turn(wrap_angle(passage.frame.heading))))
+        left = passage.stand.distance
+        # Once there it turns on the spot, and does not mind being moved a little by that.
+        if left <= (0.9 if memory.get("there") else 0.4) * _DOOR_SLACK_M:
+            return Action(drive=Drive(angular=self._turn(wrap_angle(passage.frame.heading)))), {"there": True}
+        speed = min(self.speed, 0.10 + 0.6 * left)
+        return Action(drive=Head(bearing=passage.stand.bearing, speed=speed, turn=self.turn)), {}
 
     def _turn(self, bearing: float) -> float:
         return max(-self.turn, min(self.turn, 1.5 * bearing))

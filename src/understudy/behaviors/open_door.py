@@ -8,7 +8,6 @@ from understudy.behaviors.rooms import (
     LEFT_POST,
     PASSABLE_M,
     RIGHT_POST,
-    STAND_M,
     Passage,
     doorway_of,
     posts_of,
@@ -59,6 +58,9 @@ class PrimitiveOpenDoor:
     speed, turn = 0.20, 0.6
     deep_m = 0.75
     """So far beyond the line between the posts the robot's middle pushes."""
+
+    clear_m = 1.0
+    """So far before it the robot stops to look whether the door is open."""
 
     hinge_side_m = 0.20
     look_s = 1.5
@@ -112,8 +114,8 @@ class PrimitiveOpenDoor:
         return Action(drive=drive, paddles="open", lift="down"), memory
 
     def _approach(self, percepts: Percepts, passage: Passage, memory: Memory) -> tuple[Action, Memory]:
-        stand = passage.frame.to_parent(Point(-STAND_M, 0.0))
-        if stand.distance > 0.15 and not (abs(passage.here.y) < 0.10 and -1.2 < passage.here.x < -0.8):
+        stand, far = passage.stand, 2 * passage.half_width
+        if stand.distance > 0.15 and not (abs(passage.here.y) < 0.10 and 0.8 < -passage.here.x < far):
             speed = min(self.speed + 0.1, 0.10 + 0.6 * stand.distance)
             return _stowed(Head(bearing=stand.bearing, speed=speed)), memory
         if abs(passage.here.heading) > math.radians(6):
@@ -135,7 +137,7 @@ class PrimitiveOpenDoor:
         return _pushing(action, passage), memory
 
     def _back(self, percepts: Percepts, passage: Passage, memory: Memory, *, over: bool) -> tuple[Action, Memory]:
-        if passage.here.x <= -STAND_M or over:
+        if passage.here.x <= -self.clear_m or over:
             return _stowed(Drive()), _phase(percepts, "look", {**memory, "offset": 0.0})
         return _pushing(_stowed(passage.backwards(0.0, self.speed)), passage), memory
 

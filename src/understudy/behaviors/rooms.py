@@ -21,7 +21,6 @@ __all__ = [
     "PASSABLE_M",
     "RIGHT_POST",
     "ROOM",
-    "STAND_M",
     "Passage",
     "doorway_of",
     "in_this_room",
@@ -39,8 +38,8 @@ ROOM = Parameter(name="room", kind="word", words=(HOME, OTHER))
 PASSABLE_M = PIONEER.width + 0.28
 """An opening so wide is wide enough."""
 
-STAND_M = 1.0
-"""From so far before the line between the posts the robot goes through a door."""
+_SHY_M = 0.35
+"""The middle of the robot keeps so far from the posts."""
 
 _THRESHOLD_M = 0.8
 """Nearer to the line than this, and between the posts, the robot is in both rooms."""
@@ -103,17 +102,30 @@ class Passage:
         return Strip(frame=self.frame, half_width=self.half_width - 0.05, reach=2 * self.half_width)
 
     @property
+    def line(self) -> float:
+        """Where along the y axis the robot goes through: in the middle of what is free, or of all if it is closed."""
+        if self.gap is None or self.gap[1] - self.gap[0] < PASSABLE_M:
+            return 0.0
+        room = max(0.0, self.half_width - _SHY_M)
+        return max(-room, min(room, sum(self.gap) / 2))
+
+    @property
+    def stand(self) -> Point:
+        """From where to go through, in the robot's frame: where no leaf can reach that is open to this side."""
+        return self.frame.to_parent(Point(-2 * self.half_width - 0.3, self.line))
+
+    @property
     def lined_up(self) -> bool:
         """Whether the robot is before the door, or in it, and need not go around a post."""
-        before = max(0.0, -self.here.x - 0.6)
-        return abs(self.here.y) < min(0.15 + 0.3 * before, self.half_width) or (
+        before, aside = max(0.0, -self.here.x - 0.6), abs(self.here.y - self.line)
+        return aside < min(0.15 + 0.3 * before, self.half_width) or (
             self.here.x > -0.45 and abs(self.here.y) < self.half_width - 0.3
         )
 
     def through(self, offset: float, speed: float, turn: float) -> Head:
         """Straight through, ``offset`` to the left of the middle; or first to where that can be done from."""
-        goal = Point(self.here.x + 0.8, offset) if self.lined_up else Point(-STAND_M, 0.0)
-        return Head(bearing=self.frame.to_parent(goal).bearing, speed=speed, turn=turn)
+        goal = self.frame.to_parent(Point(self.here.x + 0.8, offset)) if self.lined_up else self.stand
+        return Head(bearing=goal.bearing, speed=speed, turn=turn)
 
     def backwards(self, offset: float, speed: float) -> Drive:
         """Straight back along the same line."""
