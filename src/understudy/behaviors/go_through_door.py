@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from random import Random
 
-from understudy.behaviors.rooms import HOME, LEFT_POST, OTHER, RIGHT_POST, ROOM, Passage, doorway_of, posts_of
+from understudy.behaviors.rooms import HOME, LEFT_POST, OTHER, RIGHT_POST, ROOM, Passage, doorway_of, leaf_of, posts_of
 from understudy.behaviors.skill import Action, Actuator, Drive, Instance, Memory, Parameters, Skill
 from understudy.perception import Attention, Doorway, Percepts
 
@@ -59,7 +59,7 @@ class PrimitiveGoThroughDoor:
         if percepts.teacher is not None and passage.lined_up:
             return Action(drive=Drive()), {}  # somebody is in the way, and must not be pushed
         drive = passage.through(passage.line, self.speed, self.turn)
-        return Action(drive=drive, pushing=passage.leaf if passage.lined_up else None), {}
+        return Action(drive=drive, pushing=leaf_of(doorway, shy=not passage.lined_up)), {}
 
 
 GO_THROUGH_DOOR = Skill(AbstractGoThroughDoor(), PrimitiveGoThroughDoor())

@@ -2,9 +2,10 @@
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from random import Random
 
-from understudy.behaviors.rooms import BEACON, LEFT_POST, RIGHT_POST, Passage, doorway_of, posts_of
+from understudy.behaviors.rooms import BEACON, LEFT_POST, RIGHT_POST, Passage, doorway_of, near_leaf, posts_of
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
 from understudy.geometry import wrap_angle
 from understudy.perception import Attention, Doorway, Percepts, Thing
@@ -81,10 +82,12 @@ class PrimitiveGoTo:
 
     def step(self, percepts: Percepts, parameters: Parameters, memory: Memory, random: Random) -> tuple[Action, Memory]:
         if parameters["place"] == HOME:
-            return self._home(percepts.landmarks[parameters["beacon"]]), {}
+            action: Action = self._home(percepts.landmarks[parameters["beacon"]])
+            return replace(action, pushing=near_leaf(percepts)), {}
         doorway = doorway_of(percepts, parameters)
         assert doorway is not None
-        return self._door(doorway, memory)
+        action, memory = self._door(doorway, memory)
+        return replace(action, pushing=near_leaf(percepts)), memory
 
     def _home(self, beacon: Thing) -> Action:
         left = beacon.distance_m - _HOME_M

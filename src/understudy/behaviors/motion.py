@@ -39,7 +39,7 @@ class Motion:
                 met = met[~driving.pushing.holds(met)]
             if isinstance(wanted, Head):
                 around = surroundings(percepts, driving.aim)
-                if driving.pushing is not None:
+                if driving.pushing is not None and not driving.pushing.shy:
                     around = around[~driving.pushing.holds(around)]
                 wanted = self.avoid.steer(wanted, around, driving.aim, driving.aim_radius)
             # Small boxes are gone around, but they are light: better to push one a little than to be stuck beside it.

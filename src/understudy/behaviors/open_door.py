@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from random import Random
 
 from understudy.behaviors.rooms import (
@@ -10,11 +11,12 @@ from understudy.behaviors.rooms import (
     RIGHT_POST,
     Passage,
     doorway_of,
+    leaf_of,
     posts_of,
 )
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameters, Skill
 from understudy.geometry import Point, wrap_angle
-from understudy.perception import Attention, Percepts
+from understudy.perception import Attention, Doorway, Percepts
 
 __all__ = ["OPEN_DOOR", "AbstractOpenDoor", "PrimitiveOpenDoor"]
 
@@ -85,9 +87,11 @@ class PrimitiveOpenDoor:
             case "approach":
                 return self._approach(percepts, passage, memory)
             case "push":
-                return self._push(percepts, passage, memory, over=over)
+                action, memory = self._push(percepts, doorway, passage, memory, over=over)
+                return replace(action, pushing=leaf_of(doorway, shy=False)), memory
             case "back":
-                return self._back(percepts, passage, memory, over=over)
+                action, memory = self._back(percepts, passage, memory, over=over)
+                return replace(action, pushing=leaf_of(doorway, shy=False)), memory
             case _:
                 waited = percepts.time_s - memory["since_s"] > self.look_s
                 return _stowed(Drive()), _phase(percepts, "approach", memory) if waited else memory
@@ -123,23 +127,23 @@ class PrimitiveOpenDoor:
             return _stowed(Drive(angular=max(-self.turn, min(self.turn, 1.5 * left)))), memory
         return _stowed(Drive()), _phase(percepts, "push", memory)
 
-    def _push(self, percepts: Percepts, passage: Passage, memory: Memory, *, over: bool) -> tuple[Action, Memory]:
+    def _push(
+        self, percepts: Percepts, doorway: Doorway, passage: Passage, memory: Memory, *, over: bool
+    ) -> tuple[Action, Memory]:
         offset = memory.get("offset", 0.0)
         if passage.here.x > -0.1 and not offset:
-            offset = self.hinge_side_m * _leaf_side(percepts, passage)
+            offset = self.hinge_side_m * _leaf_side(percepts, doorway, passage)
             memory = {**memory, "offset": offset}
         if percepts.teacher is not None:
             return _stowed(Drive()), memory  # somebody is in the way, and must not be pushed
         if passage.here.x >= self.deep_m or over:
             return _stowed(Drive()), _phase(percepts, "back", memory)
-        drive = passage.through(offset, self.speed, self.turn)
-        action = _stowed(drive)
-        return _pushing(action, passage), memory
+        return _stowed(passage.through(offset, self.speed, self.turn)), memory
 
     def _back(self, percepts: Percepts, passage: Passage, memory: Memory, *, over: bool) -> tuple[Action, Memory]:
         if passage.here.x <= -self.clear_m or over:
             return _stowed(Drive()), _phase(percepts, "look", {**memory, "offset": 0.0})
-        return _pushing(_stowed(passage.backwards(0.0, self.speed)), passage), memory
+        return _stowed(passage.backwards(0.0, self.speed)), memory
 
 
 def _phase(percepts: Percepts, phase: str, memory: Memory) -> Memory:
@@ -152,10 +156,6 @@ def _stowed(drive: Drive | Head) -> Action:
     return Action(drive=drive, paddles="close", lift="up")
 
 
-def _pushing(action: Action, passage: Passage) -> Action:
-    return Action(drive=action.drive, paddles=action.paddles, lift=action.lift, pushing=passage.leaf)
-
-
 def _room(percepts: Percepts, side: float) -> float:
     """How far it is to what the laser meets at the robot's left (1) or right (-1)."""
     points = percepts.obstacles
@@ -164,9 +164,9 @@ def _room(percepts: Percepts, side: float) -> float:
     return min(ways, default=8.0)
 
 
-def _leaf_side(percepts: Percepts, passage: Passage) -> float:
+def _leaf_side(percepts: Percepts, doorway: Doorway, passage: Passage) -> float:
     """On which side of the passage the leaf is, when it gives way: 1 left, -1 right."""
-    met = percepts.obstacles[passage.leaf.holds(percepts.obstacles)].tolist()
+    met = percepts.obstacles[leaf_of(doorway, shy=False).holds(percepts.obstacles)].tolist()
     places = [passage.frame.to_local(Point(x, y)).y for x, y in met]
     return math.copysign(1.0, sum(places)) if places else 1.0
 

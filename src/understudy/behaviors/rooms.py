@@ -24,6 +24,8 @@ __all__ = [
     "Passage",
     "doorway_of",
     "in_this_room",
+    "leaf_of",
+    "near_leaf",
     "posts_of",
     "room_of",
 ]
@@ -58,6 +60,17 @@ def doorway_of(percepts: Percepts, parameters: Parameters) -> Doorway | None:
 def room_of(doorway: Doorway) -> str:
     """The room in which the robot is."""
     return HOME if doorway.room == "near" else OTHER
+
+
+def leaf_of(doorway: Doorway, *, shy: bool) -> Strip:
+    """Where a door's leaf may stand, which gives way."""
+    return Strip(frame=doorway.frame, half_width=doorway.half_width - 0.05, reach=2 * doorway.half_width, shy=shy)
+
+
+def near_leaf(percepts: Percepts) -> Strip | None:
+    """Where the leaf of the nearest door may stand, for a robot that has something else in mind."""
+    nearest = min(percepts.doorways, key=lambda doorway: doorway.here.position.distance, default=None)
+    return leaf_of(nearest, shy=True) if nearest is not None else None
 
 
 def in_this_room(percepts: Percepts, place: Point) -> bool:
@@ -95,11 +108,6 @@ class Passage:
             here = Pose(-here.x, -here.y, wrap_angle(here.heading + math.pi))
             gap = (-gap[1], -gap[0]) if gap is not None else None
         return cls(frame=frame, here=here, half_width=doorway.half_width, gap=gap)
-
-    @property
-    def leaf(self) -> Strip:
-        """Where a door's leaf may stand."""
-        return Strip(frame=self.frame, half_width=self.half_width - 0.05, reach=2 * self.half_width)
 
     @property
     def line(self) -> float:

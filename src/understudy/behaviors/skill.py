@@ -136,11 +136,13 @@ class Strip:
         frame: its middle, in the robot's frame; its x axis leads through.
         half_width: along the y axis, to both sides.
         reach: along the x axis, both ways.
+        shy: what stands there is gone around, and pushed only where the robot comes too near to it.
     """
 
     frame: Pose
     half_width: float
     reach: float
+    shy: bool = False
 
     def holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Which of these points of the robot's frame lie on it."""

@@ -31,7 +31,9 @@ __all__ = [
     "DeliveryTrial",
     "Move",
     "delivery_table",
+    "delivery_trial",
     "delivery_trials",
+    "disturbed",
     "main",
 ]
 
@@ -54,8 +56,8 @@ _DELIVERED_M = 0.9
 _WALL_M, _APART_M, _DOOR_M = 0.6, 0.7, 1.3
 """Nothing is put nearer to a wall, to another thing, or to the middle of the door."""
 
-_WHEN_S = (20.0, 120.0)
-"""Somebody moves something at a moment between these."""
+_FIRST_S = 5.0
+"""Nothing is moved before."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,20 +98,37 @@ class DeliveryTrial:
     grazes: int
 
 
-def delivery_trials(seeds: Iterable[int], move: Move = "") -> Iterator[DeliveryTrial]:
+def delivery_trials(seeds: Iterable[int]) -> Iterator[DeliveryTrial]:
     """Four runs of every condition for each seed; every run has a seed of its own, ``100 * seed`` and on."""
     for seed in seeds:
         for number, condition in enumerate(CONDITIONS):
             for run in range(RUNS):
-                yield delivery_trial(condition, 100 * seed + RUNS * number + run, door_open=run == 0, move=move)
+                yield delivery_trial(condition, 100 * seed + RUNS * number + run, door_open=run == 0)
 
 
-def delivery_trial(condition: Condition, seed: int, *, door_open: bool, move: Move = "") -> DeliveryTrial:
-    """One run, in a room that is drawn by its seed."""
+def disturbed(trial: DeliveryTrial, move: Move) -> DeliveryTrial:
+    """The same run again, in which something is moved before the moment at which it was done."""
+    return delivery_trial(
+        trial.condition, trial.seed, door_open=trial.door_open, move=move, before_s=max(_FIRST_S, trial.time_s)
+    )
+
+
+def delivery_trial(
+    condition: Condition, seed: int, *, door_open: bool, move: Move = "", before_s: float = 60.0
+) -> DeliveryTrial:
+    """One run, in a room that is drawn by its seed.
+
+    Args:
+        condition: where robot and box are at first.
+        seed: of the room, and of all chance.
+        door_open: at first.
+        move: what is moved in mid-run.
+        before_s: when it is moved at the latest.
+    """
     rng = np.random.default_rng(seed)
     world = _room(condition, rng, seed, door_open=door_open)
     _, network = load_task(task_path("delivery"))
-    hand = _Hand(world, move, rng)
+    hand = _Hand(world, move, float(rng.uniform(_FIRST_S, before_s)), rng)
     performed = perform(
         "delivery",
         network,
@@ -151,11 +170,10 @@ def _problems(performed: Performed) -> list[str]:
 
 
 class _Hand:
-    """Moves something, once, somewhere in mid-run; but not at the end, when the task is done."""
+    """Moves something, once, somewhere, in mid-run."""
 
-    def __init__(self, world: World, move: Move, rng: np.random.Generator) -> None:
-        self._world, self._move, self._rng = world, move, rng
-        self._when_s = float(rng.uniform(*_WHEN_S))
+    def __init__(self, world: World, move: Move, when_s: float, rng: np.random.Generator) -> None:
+        self._world, self._move, self._when_s, self._rng = world, move, when_s, rng
         self._stage: Stage | None = None
         self.did = ""
 
@@ -232,8 +250,9 @@ def delivery_table(seeds: Sequence[int], tell: Callable[[str], None] = print) ->
     tell("| moved in mid-run | condition | successes | mean time | slowest | switches | grazes |")
     tell("| --- | --- | --- | --- | --- | --- | --- |")
     every: list[DeliveryTrial] = []
+    quiet = list(delivery_trials(seeds))
     for move in ("", *MOVES):
-        trials = list(delivery_trials(seeds, move))
+        trials = [disturbed(trial, move) for trial in quiet] if move else quiet
         for condition in CONDITIONS:
             mine = [trial for trial in trials if trial.condition == condition]
             good = sum(not trial.problems for trial in mine)

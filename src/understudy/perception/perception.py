@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from understudy.errors import RobotError
-from understudy.geometry import Point, Pose
+from understudy.geometry import Point, Pose, wrap_angle
 from understudy.perception.blobs import Blob, find_blobs
 from understudy.perception.cylinders import Cylinder, find_cylinders
 from understudy.perception.doorways import DoorwayMemory
 from understudy.perception.gripper import GripperSense
 from understudy.perception.landmarks import LandmarkMemory
+from understudy.perception.lifted import put_elsewhere
 from understudy.perception.memory import Memory, MemorySettings, Track
 from understudy.perception.percepts import Attention, Percepts, Thing
 from understudy.perception.projection import Projection
@@ -85,6 +86,7 @@ class Perception:
         attention = attention or Attention()
         self.landmarks = LandmarkMemory(attention.colors)
         self.doorways = DoorwayMemory(attention.doorways)
+        self._before: Observation | None = None
 
     def update(self, observation: Observation) -> Percepts:
         """The percepts of one observation.
@@ -98,6 +100,8 @@ class Perception:
             image = self._resized(image)
         time_s, pose = observation.time_s, observation.odometry.pose
         cylinders = find_cylinders(observation.scan, self.spec.laser.x)
+        if self.landmarks.colors:
+            self._notice_lifting(observation)
         if image is not None:
             blobs = find_blobs(image)
             if self.landmarks.colors:
@@ -172,9 +176,7 @@ class Perception:
             reach = away + radius
             position = Point(camera.x + reach * math.cos(bearings[1]), reach * math.sin(bearings[1]))
             if self.landmarks.sighted(time_s, pose, position, radius, blob.color):
-                # Somebody put the robot elsewhere: what it remembers is not where it believes it to be.
-                for memory in (self.targets, self.boxes):
-                    memory.tracks = []
+                self._forget_all()
 
         def missing(here: Point) -> bool:
             if here.distance > self.settings.target_range - 0.5:
@@ -184,6 +186,19 @@ class Perception:
             return seen_through and self.projection.sees(here, _TALL_TOP / 2, margin=12)
 
         self.landmarks.contradict(time_s, pose, missing)
+
+    def _notice_lifting(self, observation: Observation) -> None:
+        before, self._before = self._before, observation
+        if before is not None:
+            turned = wrap_angle(observation.odometry.pose.heading - before.odometry.pose.heading)
+            if put_elsewhere(before.scan, observation.scan, turned):
+                self.landmarks.known.clear()
+                self._forget_all()
+
+    def _forget_all(self) -> None:
+        """Somebody put the robot elsewhere: what it remembers is not where it believes it to be."""
+        for memory in (self.targets, self.boxes, self.people):
+            memory.tracks = []
 
     def _range_along(self, scan: Scan, bearing: float) -> float:
         """What the laser, which sits nearly where the camera does, measures in a direction; zero if nothing."""
