@@ -12,6 +12,9 @@ from understudy.perception import Doorway, Percepts
 
 __all__ = ["Wander"]
 
+_BEFORE_DOOR_M = 0.6
+"""A search ends so far before the line of a door."""
+
 
 class Wander:
     """Looks around once, then goes some way in a random free direction, and again.
@@ -52,7 +55,7 @@ class Wander:
         room = np.array([_room(percepts, bearing) for bearing in bearings])
         lengths = np.clip(room - 0.5, 0.0, self.longest_leg)
         for doorway in percepts.doorways:
-            lengths = np.minimum(lengths, np.maximum(0.0, _way_to(doorway, bearings) - 0.6))
+            lengths = np.minimum(lengths, _way_to(doorway, bearings))
         weights = lengths**2 + 1e-6
         index = random.choices(range(len(bearings)), weights=weights.tolist())[0]
         pose = percepts.odometry.pose
@@ -73,10 +76,10 @@ class Wander:
 
 
 def _way_to(doorway: Doorway, bearings: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How far the robot could go in each direction before it leaves the room: that one is searched before the next."""
+    """How far the robot goes in each direction: one room is searched before the next."""
     here = doorway.here
     closing = -np.sign(here.x) * np.cos(here.heading + bearings)
-    return np.where(closing > 1e-3, abs(here.x) / np.maximum(closing, 1e-3), np.inf)
+    return np.where(closing > 1e-3, max(0.0, abs(here.x) - _BEFORE_DOOR_M) / np.maximum(closing, 1e-3), np.inf)
 
 
 def _room(percepts: Percepts, bearing: float) -> float:

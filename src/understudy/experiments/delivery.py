@@ -56,8 +56,8 @@ _DELIVERED_M = 0.9
 _WALL_M, _APART_M, _DOOR_M = 0.6, 0.7, 1.3
 """Nothing is put nearer to a wall, to another thing, or to the middle of the door."""
 
-_FIRST_S = 5.0
-"""Nothing is moved before."""
+_FIRST_S, _LAST_S = 5.0, 2.0
+"""Nothing is moved earlier than this, nor so shortly before the end that the robot could not notice."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -109,7 +109,11 @@ def delivery_trials(seeds: Iterable[int]) -> Iterator[DeliveryTrial]:
 def disturbed(trial: DeliveryTrial, move: Move) -> DeliveryTrial:
     """The same run again, in which something is moved before the moment at which it was done."""
     return delivery_trial(
-        trial.condition, trial.seed, door_open=trial.door_open, move=move, before_s=max(_FIRST_S, trial.time_s)
+        trial.condition,
+        trial.seed,
+        door_open=trial.door_open,
+        move=move,
+        before_s=max(_FIRST_S, trial.time_s - _LAST_S),
     )
 
 
@@ -240,7 +244,11 @@ def _beacon(world: World) -> int:
     return next(i for i, t in enumerate(world.targets) if all(Point(*t.at).distance_to(end) > 0.5 for end in door))
 
 
-def delivery_table(seeds: Sequence[int], tell: Callable[[str], None] = print) -> list[DeliveryTrial]:
+def _print(line: str) -> None:
+    print(line, flush=True)
+
+
+def delivery_table(seeds: Sequence[int], tell: Callable[[str], None] = _print) -> list[DeliveryTrial]:
     """Runs all trials and prints them as a Markdown table, with every failure and what was wrong.
 
     Args:

@@ -1,0 +1,92 @@
+"""The delivery task (§3.5.2): the document, the rooms that are drawn, a run from the worst beginning, a recovery."""
+
+import pytest
+
+from understudy.behaviors import installed_skills
+from understudy.execution import compile_network
+from understudy.experiments import delivery
+from understudy.experiments.delivery import (
+    CONDITIONS,
+    Condition,
+    DeliveryTrial,
+    delivery_table,
+    delivery_trial,
+    disturbed,
+)
+from understudy.geometry import Point
+from understudy.network import load_task, task_path
+from understudy.robot import Color
+from understudy.sim import World, load_world, world_path
+
+OTHER_OTHER = Condition(robot="other", box="other")
+
+
+def test_the_bundled_task_watches_the_bundled_rooms_landmarks() -> None:
+    _, network = load_task(task_path("delivery"))
+    program = compile_network(network, installed_skills())
+    world = load_world(world_path("delivery"))
+    assert program.attention.colors == {target.color for target in world.targets}
+    assert program.attention.doorways == {(Color.GREEN, Color.YELLOW)}
+
+
+@pytest.mark.parametrize("condition", CONDITIONS, ids=str)
+def test_rooms_are_drawn_as_the_condition_says(condition: Condition, monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn: list[World] = []
+
+    def look(name: str, network: object, world: World, *more: object, **others: object) -> None:
+        drawn.append(world)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(delivery, "perform", look)
+    for seed in range(5):
+        with pytest.raises(KeyboardInterrupt):
+            delivery_trial(condition, seed, door_open=seed == 0)
+    for world in drawn:
+        robot, box = world.robots[0], world.boxes[0]
+        assert (robot.at[1] < 3.5) is (condition.robot == "home")
+        assert (box.at[1] < 3.5) is (condition.box == "home")
+        assert Point(*robot.at).distance_to(Point(*box.at)) >= 0.7
+        assert World.from_data({"understudy": "world/1", **world.model_dump(mode="json", by_alias=True)}) == world
+    assert [abs(world.doors[0].open_deg) for world in drawn] == [80, 0, 0, 0, 0]
+    assert len({world.robots[0].at for world in drawn}) == 5
+
+
+def test_from_the_other_room_through_a_closed_door_with_the_box() -> None:
+    trial = delivery_trial(OTHER_OTHER, 1, door_open=False)
+    assert trial.problems == ()
+    assert trial.switches == 0
+
+
+def test_a_robot_that_is_carried_away_in_mid_run_recovers() -> None:
+    quiet = delivery_trial(Condition(robot="home", box="home"), 2, door_open=False)
+    assert quiet.problems == ()
+    trial = disturbed(quiet, "robot")
+    assert trial.moved.startswith("the robot to (")
+    assert trial.problems == ()
+
+
+def test_failures_are_told_with_their_causes(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(condition: Condition, seed: int, *, door_open: bool, move: delivery.Move = "", before_s: float = 0.0):  # type: ignore[no-untyped-def]
+        problems = ("the box lies 3.00 m from the beacon",) if move == "box" and seed == 107 else ()
+        return DeliveryTrial(
+            condition=condition,
+            door_open=door_open,
+            move=move,
+            seed=seed,
+            time_s=10.0 + seed,
+            problems=problems,
+            switches=1,
+            moved="the box to (1.0, 2.0) at 7 s" if move == "box" else "",
+            grazes=0,
+        )
+
+    monkeypatch.setattr(delivery, "delivery_trial", fails)
+    lines: list[str] = []
+    trials = delivery_table([1], lines.append)
+    assert len(trials) == 48
+    assert "| nothing | robot home, box other | 4 of 4 | 116 s | 117 s | 4 | 0 |" in lines
+    assert "| box | robot home, box other | 3 of 4 | 116 s | 117 s | 4 | 0 |" in lines
+    assert lines[-1] == (
+        "- seed 107, robot home, box other, door closed, the box to (1.0, 2.0) at 7 s: "
+        "the box lies 3.00 m from the beacon"
+    )
