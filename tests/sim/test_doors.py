@@ -160,7 +160,13 @@ def broken(robot: SimRobot) -> bool:
 
 
 def test_a_rearranged_room_keeps_its_door() -> None:
-    world = make_world(doors=[DOOR], targets=[{"color": "green", "at": [3.5, 5.0]}])
-    for seed in range(5):
+    world = load_world(world_path("delivery"))
+    rooms = set()
+    for seed in range(8):
         changed = rearranged(world, seed)
         assert changed.doors == world.doors
+        posts, (beacon,) = changed.targets[:2], changed.targets[2:]
+        assert posts == world.targets[:2]
+        assert beacon.at != world.targets[2].at
+        rooms.add((beacon.at[1] < 3.5, changed.robots[0].at[1] < 3.5))
+    assert len(rooms) > 2

@@ -42,6 +42,12 @@ class AbstractGetBox:
     def describe(self, parameters: Parameters) -> str:
         return f"get the {parameters['color']} box, to push it"
 
+    def holding(self, parameters: Parameters) -> str:
+        return f"the {parameters['color']} box is between the paddles, to be pushed"
+
+    def possible(self, parameters: Parameters) -> str:
+        return f"the {parameters['color']} box is in this room, in sight or remembered"
+
 
 class PrimitiveGetBox:
     """Takes the box in between the open paddles as ``PickUp`` does, and leaves them open."""

@@ -35,6 +35,12 @@ class AbstractGoThroughDoor:
     def describe(self, parameters: Parameters) -> str:
         return f"go through the door into the {parameters['room']} room"
 
+    def holding(self, parameters: Parameters) -> str:
+        return f"the robot is well inside the {parameters['room']} room"
+
+    def possible(self, parameters: Parameters) -> str:
+        return "the door's posts are in sight or remembered"
+
     def attention(self, parameters: Parameters) -> Attention:
         return posts_of(parameters)
 

@@ -56,6 +56,13 @@ class AbstractGoTo:
     def describe(self, parameters: Parameters) -> str:
         return "go home" if parameters["place"] == HOME else "go to the door"
 
+    def holding(self, parameters: Parameters) -> str:
+        return "the robot is at home" if parameters["place"] == HOME else "the robot is before the door"
+
+    def possible(self, parameters: Parameters) -> str:
+        what = "beacon is" if parameters["place"] == HOME else "door's posts are"
+        return f"the {what} in sight or remembered"
+
     def attention(self, parameters: Parameters) -> Attention:
         if parameters["place"] == HOME:
             return Attention(landmarks=frozenset({parameters["beacon"]}))

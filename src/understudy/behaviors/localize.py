@@ -39,6 +39,13 @@ class AbstractLocalize:
         room = parameters["room"]
         return "find out in which room you are" if room == EITHER else f"find out that you are in the {room} room"
 
+    def holding(self, parameters: Parameters) -> str:
+        room = parameters["room"]
+        return "the robot knows in which room it is" if room == EITHER else f"the robot is in the {room} room"
+
+    def possible(self, parameters: Parameters) -> str:
+        return "the robot can look around"
+
     def attention(self, parameters: Parameters) -> Attention:
         return posts_of(parameters)
 

@@ -46,6 +46,12 @@ class AbstractOpenDoor:
     def describe(self, parameters: Parameters) -> str:
         return "open the door"
 
+    def holding(self, parameters: Parameters) -> str:
+        return "the door is open"
+
+    def possible(self, parameters: Parameters) -> str:
+        return "the door's posts are in sight or remembered"
+
     def attention(self, parameters: Parameters) -> Attention:
         return posts_of(parameters)
 

@@ -17,6 +17,8 @@ __all__ = ["rearranged"]
 _TRIES_A_GROUP = 60
 _TRIES_A_ROOM = 200
 
+_TOUCHING_M = 0.05
+
 
 @dataclass(slots=True, kw_only=True)
 class _Group:
@@ -40,7 +42,7 @@ def rearranged(
     random free place. The same seed gives the same room, and becomes the seed of its noise.
 
     Args:
-        world: the room to be changed; its inner walls stay.
+        world: the room to be changed; its inner walls and doors stay, and targets that touch them.
         seed: of the drawing.
         spacing: least gap between things of different groups, metres.
         wall_margin: least gap between things and walls, metres.
@@ -68,6 +70,8 @@ def _draw(
 ) -> dict[str, object] | None:
     size = world.arena.size
     walls = [Footprint.of_wall(wall) for wall in world.walls]
+    walls += [Footprint.of_door(door, turned) for door in world.doors for turned in (door.open_deg, 0.0)]
+    walls += [Footprint.of_target(world.targets[i]) for i in _built_in(world)]
     targets, boxes = list(world.targets), list(world.boxes)
     placed: list[Footprint] = []
     for group in _groups(world):
@@ -102,11 +106,22 @@ def _draw(
     return {"targets": tuple(targets), "boxes": tuple(boxes), "robots": tuple(robots)}
 
 
+def _built_in(world: World) -> set[int]:
+    """Targets that touch a wall or a closed door belong to the building: the posts of a door."""
+    building = [Footprint.of_wall(wall) for wall in world.walls]
+    building += [Footprint.of_door(door, 0.0) for door in world.doors]
+    shapes = map(Footprint.of_target, world.targets)
+    return {i for i, shape in enumerate(shapes) if any(shape.gap_to(part) < _TOUCHING_M for part in building)}
+
+
 def _groups(world: World) -> list[_Group]:
     """The larger groups first, as they are the harder ones to place."""
     named: dict[str, _Group] = {}
     alone: list[_Group] = []
+    built_in = _built_in(world)
     for i, target in enumerate(world.targets):
+        if i in built_in:
+            continue
         if target.group is None:
             alone.append(_Group(targets=[i], boxes=[]))
         else:
