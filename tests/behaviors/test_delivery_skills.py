@@ -41,19 +41,32 @@ def at(
     boxes: tuple[Thing, ...] = (),
     beacon: Thing | None = None,
     leaf: bool = False,
+    posts_seen_s: float | None = None,
 ) -> Percepts:
     """A robot at a pose of the doorway's frame: x is negative in the home room, from where it leads through."""
     robot = Pose(x, y, math.radians(heading_deg))
     middle = robot.to_local(Point(0.0, 0.0))
     frame = Pose(middle.x, middle.y, -robot.heading)
+    posts = [
+        Thing(id=0, color=color, position=robot.to_local(Point(0.0, y)), radius=0.1, sensed=True, seen_s=time_s)
+        for color, y in zip(POSTS, (0.7, -0.7), strict=True)
+    ]
     met = [robot.to_local(Point(0.0, y / 20)) for y in range(-11, 12)] if leaf else []
     return Percepts(
         time_s=time_s,
         odometry=Odometry(pose=robot),
         boxes=boxes,
         gripper=gripper,
-        landmarks={beacon.color: beacon} if beacon else {},
-        doorways=(Doorway(posts=POSTS, frame=frame, half_width=0.6, gap=gap),),
+        landmarks={thing.color: thing for thing in (*posts, *((beacon,) if beacon else ()))},
+        doorways=(
+            Doorway(
+                posts=POSTS,
+                frame=frame,
+                half_width=0.6,
+                gap=gap,
+                seen_s=time_s if posts_seen_s is None else posts_seen_s,
+            ),
+        ),
         obstacles=np.array(met).reshape(-1, 2),
     )
 
@@ -246,6 +259,21 @@ def test_open_door_lines_up_pushes_in_and_comes_back() -> None:
     pushing = open_door([at(-1.5), at(-1.2, leaf=True)])[1]
     assert pushing.pushing is not None
     assert not pushing.pushing.shy
+
+
+def test_before_it_drives_into_a_doorway_the_robot_makes_sure_that_it_is_there() -> None:
+    doubtful = at(-1.5, gap=WIDE, time_s=20.0, posts_seen_s=5.0)
+    action, memory = step(OPEN_DOOR, doubtful)
+    assert isinstance(action.drive, Drive)
+    assert action.drive.angular < 0, "towards the post beside the gap, which no leaf hides"
+    assert memory["phase"] == "approach"
+    assert step(GO_THROUGH_DOOR, doubtful, room="other")[0].drive == action.drive
+    sure = replace(doubtful, time_s=10.0)
+    assert step(OPEN_DOOR, sure)[1]["phase"] == "push"
+    assert isinstance(step(GO_THROUGH_DOOR, sure, room="other")[0].drive, Head)
+    # In the doorway the posts cannot be seen.
+    inside = at(-0.2, gap=WIDE, time_s=20.0, posts_seen_s=5.0)
+    assert isinstance(step(GO_THROUGH_DOOR, inside, room="other")[0].drive, Head)
 
 
 def test_the_leaf_that_gives_way_tells_the_side_of_the_hinge() -> None:

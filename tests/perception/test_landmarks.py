@@ -1,6 +1,7 @@
 """Landmarks: believed, corrected by each other, given up."""
 
 import math
+from typing import Literal
 
 import pytest
 from hypothesis import given
@@ -70,13 +71,25 @@ def test_where_the_senses_contradict_memory_altogether_all_of_it_is_given_up() -
     assert set(memory.known) == {LEFT}
 
 
-def test_what_should_be_seen_and_is_not_is_forgotten() -> None:
+@pytest.mark.parametrize(("how", "looks"), [("through", 8), ("hidden", 30)])
+def test_what_should_be_seen_and_is_not_is_forgotten(how: Literal["through", "hidden"], looks: int) -> None:
     memory = LandmarkMemory([HOME])
     seen(memory, Pose(), {HOME: Point(2, 0)}, 0.0)
-    for tick in range(8):
+    for tick in range(looks):
         assert memory.known
-        memory.contradict(1 + tick / 10, Pose(), lambda here: here.x > 0)
+        memory.contradict(1 + tick / 10, Pose(), lambda here: how if here.x > 0 else "")
     assert not memory.known
+
+
+def test_a_post_that_a_leaf_hides_is_known_as_long_as_the_other_one_is_where_it_should_be() -> None:
+    memory = LandmarkMemory([LEFT, RIGHT])
+    seen(memory, Pose(), dict(DOOR), 0.0)
+    for tick in range(90):
+        time_s = 1 + tick / 10
+        if tick % 20 == 0:
+            memory.sighted(time_s, Pose(), DOOR[1][1], 0.1, RIGHT)
+        memory.contradict(time_s, Pose(), lambda here: "hidden" if here.y > 0 else "")
+    assert set(memory.known) == {LEFT, RIGHT}
 
 
 def watch(perception: Perception, pillars: list[Pillar], poses: list[Pose], start_s: float = 0.0, **more: object):  # type: ignore[no-untyped-def]

@@ -46,7 +46,7 @@ class AbstractGetBox:
         return f"the {parameters['color']} box is between the paddles, to be pushed"
 
     def possible(self, parameters: Parameters) -> str:
-        return f"the {parameters['color']} box is in this room, in sight or remembered"
+        return f"the {parameters['color']} box is in sight or remembered in this room"
 
 
 class PrimitiveGetBox:

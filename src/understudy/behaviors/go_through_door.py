@@ -3,7 +3,18 @@
 from collections.abc import Mapping
 from random import Random
 
-from understudy.behaviors.rooms import HOME, LEFT_POST, OTHER, RIGHT_POST, ROOM, Passage, doorway_of, leaf_of, posts_of
+from understudy.behaviors.rooms import (
+    HOME,
+    LEFT_POST,
+    OTHER,
+    RIGHT_POST,
+    ROOM,
+    Passage,
+    doorway_of,
+    leaf_of,
+    look_again,
+    posts_of,
+)
 from understudy.behaviors.skill import Action, Actuator, Drive, Instance, Memory, Parameters, Skill
 from understudy.perception import Attention, Doorway, Percepts
 
@@ -11,6 +22,9 @@ __all__ = ["GO_THROUGH_DOOR", "AbstractGoThroughDoor", "PrimitiveGoThroughDoor"]
 
 _INSIDE_M = 0.95
 """So far beyond the line between the posts the robot is through: the leaf, when it is open, is beside it."""
+
+_LOOK_FROM_M, _LOOK_TO_M = 2.5, 0.6
+"""So far before that line the robot makes sure that the door is where it believes it to be."""
 
 
 class AbstractGoThroughDoor:
@@ -64,6 +78,9 @@ class PrimitiveGoThroughDoor:
         passage = Passage.into(doorway, "near" if parameters["room"] == HOME else "far")
         if percepts.teacher is not None and passage.lined_up:
             return Action(drive=Drive()), {}  # somebody is in the way, and must not be pushed
+        look = look_again(percepts, doorway) if -_LOOK_FROM_M < passage.here.x < -_LOOK_TO_M else None
+        if look is not None:
+            return Action(drive=look, pushing=leaf_of(doorway, shy=True)), {}
         drive = passage.through(passage.line, self.speed, self.turn)
         return Action(drive=drive, pushing=leaf_of(doorway, shy=not passage.lined_up)), {}
 

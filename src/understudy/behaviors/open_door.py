@@ -12,6 +12,7 @@ from understudy.behaviors.rooms import (
     Passage,
     doorway_of,
     leaf_of,
+    look_again,
     posts_of,
 )
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameters, Skill
@@ -91,7 +92,7 @@ class PrimitiveOpenDoor:
             case "turn" | "shove" | "leave":
                 return self._put_aside(percepts, passage, memory, over=over)
             case "approach":
-                return self._approach(percepts, passage, memory)
+                return self._approach(percepts, doorway, passage, memory)
             case "push":
                 action, memory = self._push(percepts, doorway, passage, memory, over=over)
                 return replace(action, pushing=leaf_of(doorway, shy=False)), memory
@@ -123,11 +124,16 @@ class PrimitiveOpenDoor:
         drive = Drive(linear=0.2 if phase == "shove" else -0.2)
         return Action(drive=drive, paddles="open", lift="down"), memory
 
-    def _approach(self, percepts: Percepts, passage: Passage, memory: Memory) -> tuple[Action, Memory]:
+    def _approach(
+        self, percepts: Percepts, doorway: Doorway, passage: Passage, memory: Memory
+    ) -> tuple[Action, Memory]:
         stand, far = passage.stand, 2 * passage.half_width
         if stand.distance > 0.15 and not (abs(passage.here.y) < 0.10 and 0.8 < -passage.here.x < far):
             speed = min(self.speed + 0.1, 0.10 + 0.6 * stand.distance)
             return _stowed(Head(bearing=stand.bearing, speed=speed)), memory
+        look = look_again(percepts, doorway)
+        if look is not None:
+            return _stowed(look), memory
         if abs(passage.here.heading) > math.radians(6):
             left = wrap_angle(-passage.here.heading)
             return _stowed(Drive(angular=max(-self.turn, min(self.turn, 1.5 * left)))), memory

@@ -25,6 +25,7 @@ __all__ = [
     "doorway_of",
     "in_this_room",
     "leaf_of",
+    "look_again",
     "near_leaf",
     "posts_of",
     "room_of",
@@ -42,6 +43,9 @@ PASSABLE_M = PIONEER.width + 0.28
 
 _SHY_M = 0.35
 """The middle of the robot keeps so far from the posts."""
+
+_RELY_S = 12.0
+"""For so long the robot relies on where it saw a door's posts."""
 
 _THRESHOLD_M = 0.8
 """Nearer to the line than this, and between the posts, the robot is in both rooms."""
@@ -71,6 +75,19 @@ def near_leaf(percepts: Percepts) -> Strip | None:
     """Where the leaf of the nearest door may stand, for a robot that has something else in mind."""
     nearest = min(percepts.doorways, key=lambda doorway: doorway.here.position.distance, default=None)
     return leaf_of(nearest, shy=True) if nearest is not None else None
+
+
+def look_again(percepts: Percepts, doorway: Doorway) -> Drive | None:
+    """Turning towards a post, if none was seen for a while; None if the robot may rely on knowing where the door is.
+
+    Whoever is about to drive into a doorway, and to push what is in the way, should look where it is.
+    """
+    if percepts.time_s - doorway.seen_s <= _RELY_S:
+        return None
+    # A leaf that is open to this side may hide the post on which it hangs.
+    left = doorway.gap is not None and sum(doorway.gap) > 0
+    bearing = percepts.landmarks[doorway.posts[0 if left else 1]].bearing
+    return Drive(angular=max(-0.6, min(0.6, 1.5 * bearing)))
 
 
 def in_this_room(percepts: Percepts, place: Point) -> bool:

@@ -33,7 +33,7 @@ from understudy.geometry import Point, Pose
 from understudy.robot import PIONEER
 
 if TYPE_CHECKING:
-    from understudy.sim.world import World
+    from understudy.sim.world import Door, World
 
 __all__ = ["draw_arena"]
 
@@ -45,6 +45,9 @@ _BETWEEN = 26.0
 _ROW = 16.0
 _BADGE = 6.6
 _SCALE_BAR = 22.0
+_SWUNG_DEG = 3.0
+_LEAF = "#8a6f4e"
+"""Wood: none of the eight colors."""
 _STEP_M = 0.03
 _ARROWS_M = 0.9
 """Trajectories are drawn in steps of three centimetres, with an arrow head every so many metres."""
@@ -58,6 +61,7 @@ def draw_arena(
     title: str | None = None,
     subtitle: str = "",
     box_note: str = "",
+    doors: Sequence[float] = (),
 ) -> Figure:
     """Draw a room with trajectories and marks.
 
@@ -67,9 +71,11 @@ def draw_arena(
         marks: numbered in the order of time.
         title: the world's name if left out.
         subtitle: a line or two below it.
+        doors: how far each door was open in the end, degrees; left out, they are drawn as they were at the beginning.
         box_note: after the names of the boxes, ``at the start`` where nobody knows what became of them.
     """
-    return _Picture(world, trajectories, marks, world.name if title is None else title, subtitle, box_note).draw()
+    name = world.name if title is None else title
+    return _Picture(world, trajectories, marks, name, subtitle, box_note, doors).draw()
 
 
 class _Picture:
@@ -83,7 +89,9 @@ class _Picture:
         title: str,
         subtitle: str,
         box_note: str,
+        doors: Sequence[float],
     ) -> None:
+        self.opened = list(doors) or [door.open_deg for door in world.doors]
         self.box_note = f", {clean(box_note)}" if box_note else ""
         self.world, self.trajectories = world, [line for line in trajectories if len(line.points)]
         self.marks = sorted(marks, key=lambda mark: mark.time_s) if self.trajectories else []
@@ -163,6 +171,8 @@ class _Picture:
             for part in np.linspace(0, 1, steps):
                 x, y = (a + part * (b - a) for a, b in zip(start, end, strict=True))
                 self.placer.take(Rect.around(x, y, 7, 7), 3.0)
+        for door, opened in zip(self.world.doors, self.opened, strict=True):
+            self._door(door, opened)
         for target in self.world.targets:
             x, y = self.xy(*target.at)
             radius = target.radius * self.scale
@@ -170,6 +180,22 @@ class _Picture:
             self.placer.take(Rect.around(x, y, 2 * radius + 3, 2 * radius + 3), 4.0)
         for box in self.world.boxes:
             self._square(Pose(*box.at, math.radians(box.heading_deg)), box.size, box.color)
+
+    def _door(self, door: "Door", opened: float) -> None:
+        """The leaf as it stands in the end, and where it has swung from."""
+        hinge, width = self.xy(*door.hinge), max(2.4, 0.03 * self.scale)
+        if abs(opened - door.open_deg) > _SWUNG_DEG:
+            steps = np.linspace(door.open_deg, opened, 24)
+            swing = [self.xy(*door.edge(float(step))) for step in steps]
+            self.sheet.line(swing, color=MUTED, width=0.9, dashes=(1.6, 2.2), z=2.6)
+            self.sheet.line([hinge, swing[0]], color=MUTED, width=1.2, dashes=(3.0, 2.2), z=2.6)
+        edge_ = self.xy(*door.edge(opened))
+        self.sheet.line([hinge, edge_], color=PAPER, width=width + 2.0, cap="butt", z=3)
+        self.sheet.line([hinge, edge_], color=_LEAF, width=width, cap="butt", z=3.05)
+        self.sheet.disc(*hinge, 0.5 * width + 0.8, fill=INK, z=3.1)
+        for part in np.linspace(0, 1, 8):
+            x, y = (a + float(part) * (b - a) for a, b in zip(hinge, edge_, strict=True))
+            self.placer.take(Rect.around(x, y, 7, 7), 3.0)
 
     def _square(self, pose: Pose, size: float, color: str, *, ghost: bool = False) -> None:
         half = size / 2

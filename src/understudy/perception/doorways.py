@@ -77,7 +77,7 @@ class DoorwayMemory:
                     frame=frame,
                     half_width=free,
                     gap=self.gaps.get(posts),
-                    seen_s=min(left.seen_s, right.seen_s),
+                    seen_s=max(left.seen_s, right.seen_s),
                 )
             )
         return tuple(found)

@@ -8,6 +8,7 @@ tells about the error of the odometry holds for all, so that one that is seen ke
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Literal
 
 from understudy.geometry import Point, Pose, wrap_angle
 from understudy.perception.percepts import Thing
@@ -26,7 +27,9 @@ class LandmarkSettings:
         smoothing: weight of a new place against the remembered one.
         confirm: sightings in a row that agree with each other, before a landmark is believed or a place is given up.
         confirm_within_s: they must come within this time.
-        forget: looks in a row at its place that did not show it.
+        forget: looks at its place, through which the laser could see, that did not show it.
+        forget_hidden: looks at its place, where something else stood, that did not show it, while no landmark was seen
+            where it should be. A door's leaf may hide a post, but then the other one tells that memory is right.
         drift_m, drift_rad: what the odometry may have gone wrong by since the last sighting. Where the senses
             contradict memory by more, the robot was put elsewhere.
     """
@@ -37,6 +40,7 @@ class LandmarkSettings:
     confirm: int = 3
     confirm_within_s: float = 1.0
     forget: int = 8
+    forget_hidden: int = 30
     drift_m: float = 0.8
     drift_rad: float = math.radians(35)
 
@@ -49,6 +53,7 @@ class _Landmark:
     radius: float
     seen_s: float
     misses: int = 0
+    hidden: int = 0
 
 
 @dataclass(slots=True)
@@ -89,6 +94,8 @@ class LandmarkMemory:
                 self._correct(pose, expected, position, settings.smoothing)
                 landmark.radius = 0.8 * landmark.radius + 0.2 * radius
                 landmark.seen_s, landmark.misses = time_s, 0
+                for each in self.known.values():
+                    each.hidden = 0
                 return False
         place = pose.to_parent(position)
         doubt = self._doubts.get(color)
@@ -122,13 +129,23 @@ class LandmarkMemory:
             here = turned.to_parent(pose.to_local(landmark.place))
             landmark.place = pose.to_parent(Point(here.x + dx, here.y + dy))
 
-    def contradict(self, time_s: float, pose: Pose, missing: Callable[[Point], bool]) -> None:
-        """Forgets what ``missing`` says should be seen at its place (robot's frame), and is not, again and again."""
+    def contradict(self, time_s: float, pose: Pose, look: Callable[[Point], Literal["through", "hidden", ""]]) -> None:
+        """Forgets what should be seen at its place and is not, again and again.
+
+        Args:
+            time_s: of this look.
+            pose: of the robot.
+            look: for a place in the robot's frame: whether the camera looks there, and the laser sees ``through`` it,
+                or something else stands there that may have ``hidden`` it.
+        """
         for color, landmark in list(self.known.items()):
-            if landmark.seen_s < time_s and missing(pose.to_local(landmark.place)):
-                landmark.misses += 1
-                if landmark.misses >= self.settings.forget:
-                    del self.known[color]
+            if landmark.seen_s == time_s:
+                continue
+            seen = look(pose.to_local(landmark.place))
+            landmark.misses += seen == "through"
+            landmark.hidden += seen == "hidden"
+            if landmark.misses >= self.settings.forget or landmark.hidden >= self.settings.forget_hidden:
+                del self.known[color]
 
     def things(self, time_s: float, pose: Pose) -> dict[Color, Thing]:
         """The landmarks in the robot's frame."""

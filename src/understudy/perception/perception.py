@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Literal
 
 import cv2
 import numpy as np
@@ -178,14 +179,15 @@ class Perception:
             if self.landmarks.sighted(time_s, pose, position, radius, blob.color):
                 self._forget_all()
 
-        def missing(here: Point) -> bool:
-            if here.distance > self.settings.target_range - 0.5:
-                return False
-            # Where something stands it may hide the landmark: the leaf of a door its own post.
-            seen_through = self._range_towards(scan, here) > here.distance + 0.3
-            return seen_through and self.projection.sees(here, _TALL_TOP / 2, margin=12)
+        def look(here: Point) -> Literal["through", "hidden", ""]:
+            if here.distance > self.settings.target_range - 0.5 or not self.projection.sees(
+                here, _TALL_TOP / 2, margin=12
+            ):
+                return ""
+            beyond = self._range_towards(scan, here) - here.distance
+            return "through" if beyond > 0.3 else "hidden" if beyond > -0.5 else ""
 
-        self.landmarks.contradict(time_s, pose, missing)
+        self.landmarks.contradict(time_s, pose, look)
 
     def _notice_lifting(self, observation: Observation) -> None:
         before, self._before = self._before, observation

@@ -113,7 +113,7 @@ class Doorway:
         half_width: from the middle to a post's surface, metres.
         gap: the widest part of it, along the y axis of ``frame``, in which nothing stands as far as a door's leaf
             could reach, as it was last seen; None if it never was.
-        seen_s: when both posts had been met by a sensor.
+        seen_s: when one of its posts was last seen where memory has it.
     """
 
     posts: tuple[Color, Color]

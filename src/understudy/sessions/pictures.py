@@ -78,6 +78,7 @@ def picture_run(performed: Performed, network: Network, stem: Path) -> list[Path
         marks_of_run(report.events, network),
         title=f"{performed.task}: the robot on its own",
         subtitle=f"{outcome} after {report.duration_s:.0f} s. Numbers: where each step was achieved.",
+        doors=stage.referee.doors(),
     )
     progress = draw_progress(network, report.events, report.duration_s, title=f"{performed.task}: the robot's progress")
     return [
