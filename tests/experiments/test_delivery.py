@@ -14,9 +14,11 @@ from understudy.experiments.delivery import (
     disturbed,
 )
 from understudy.geometry import Point
+from understudy.learning import observe
 from understudy.network import load_task, task_path
-from understudy.robot import Color
-from understudy.sim import World, load_world, world_path
+from understudy.perception import Attention
+from understudy.robot import PIONEER, Color, Command, Cue
+from understudy.sim import Simulation, World, load_world, world_path
 
 OTHER_OTHER = Condition(robot="other", box="other")
 
@@ -90,3 +92,26 @@ def test_failures_are_told_with_their_causes(monkeypatch: pytest.MonkeyPatch) ->
         "- seed 107, robot home, box other, door closed, the box to (1.0, 2.0) at 7 s: "
         "the box lies 3.00 m from the beacon"
     )
+
+
+def test_going_through_a_door_can_be_observed_where_the_landmarks_are_known() -> None:
+    world = load_world(world_path("delivery"))
+    start = world.robots[0].model_copy(update={"at": (2.1, 1.0), "heading_deg": 90.0})
+    opened = world.doors[0].model_copy(update={"open_deg": 85.0})
+    simulation = Simulation(world.model_copy(update={"robots": (start,), "doors": (opened,)}))
+    robot, seen = simulation.robot(), []
+    for tick in range(120):
+        if tick in (5, 115):
+            simulation.say(Cue.START if tick == 5 else Cue.DONE)
+        seen.append(robot.sense())
+        robot.act(Command(linear=0.4 if tick > 10 else 0.0))
+        robot.wait()
+    watched = Attention(doorways=frozenset({(Color.GREEN, Color.YELLOW)}))
+    skills = installed_skills()
+    found = observe(seen, PIONEER, skills, name="through", attention=watched).observations
+    ends = {str(each.instance): each.interval for each in found}
+    assert ends["GoThroughDoor(room=home)"].end < ends["GoThroughDoor(room=other)"].start
+    assert ends["OpenDoor"].start < ends["GoThroughDoor(room=home)"].end
+    assert "Localize(room=either)" in ends
+    unwatched = observe(seen, PIONEER, skills, name="through").observations
+    assert {each.instance.behavior for each in unwatched} <= {"Track", "Drop"}

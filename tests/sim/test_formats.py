@@ -150,7 +150,7 @@ def test_a_range_is_as_the_table_says(key: str) -> None:
         schema = entry(schema, step)
     limits, signs = numbers(schema), [(">", "exclusiveMinimum"), ("≥", "minimum"), ("≤", "maximum")]
     wanted = [f"{sign} {limits[name]:g}" for sign, name in signs if name in limits]
-    assert re.findall(r"[>≥≤] [\d.]+", said) == wanted
+    assert re.findall(r"[>≥≤] -?[\d.]+", said) == wanted
     if "maxLength" in str(schema):
         assert "1 to 80 characters" in said or key == "teacher.leads"
 
@@ -211,8 +211,10 @@ def test_the_table_of_skills_is_that_of_the_skills() -> None:
                 limits = [f"{parameter.low:g}–{parameter.high:g}", f"{parameter.tolerance:g}"]
             if parameter.kind == "color":
                 limits = ["a color", ""]
-            default = "required" if parameter.default is None else f"{parameter.default:g}"
-            true[name, parameter.name] = [default, *limits]
+            if parameter.kind == "word":
+                limits = [", ".join(f"`{word}`" for word in parameter.words), ""]
+            default = parameter.default if isinstance(parameter.default, str | None) else f"{parameter.default:g}"
+            true[name, parameter.name] = [default or "required", *limits]
         if not skill.abstract.parameters:
             true[name, ""] = ["", "", ""]
     normal = {key: [f"{float(row[0]):g}" if re.match(r"\d", row[0]) else row[0], *row[1:]] for key, row in told.items()}

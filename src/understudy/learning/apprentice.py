@@ -10,7 +10,7 @@ from understudy.clock import CONTROL_PERIOD_S
 from understudy.learning.observations import Demonstration
 from understudy.learning.observer import Observer
 from understudy.learning.settings import LearningSettings
-from understudy.perception import Perception, Percepts
+from understudy.perception import Attention, Perception, Percepts
 from understudy.robot import Command, Cue, Journal, NoJournal, Observation, Robot, RobotSpec, control
 
 __all__ = ["Apprentice", "demonstrate", "evaluate", "observe"]
@@ -31,16 +31,25 @@ def observe(
     settings: LearningSettings | None = None,
     *,
     name: str,
+    attention: Attention | None = None,
 ) -> Demonstration:
     """What a demonstration showed, from the observations alone: the way to learn from a recording.
 
     A live demonstration goes the same way, one observation at a time, so that both learn the same.
 
+    Args:
+        observations: in order.
+        spec: the robot.
+        skills: by name.
+        settings: of the learner.
+        name: of the demonstration.
+        attention: the landmarks to be watched. Where none are, skills that rest on them have nothing to observe.
+
     Raises:
         LearningError: START was never said.
         RobotError: the readings cannot be used.
     """
-    perception, observer = Perception(spec), Observer(settings)
+    perception, observer = Perception(spec, attention=attention), Observer(settings)
     for observation in observations:
         percepts = perception.update(observation)
         observer.step(observation.time_s, evaluate(percepts, skills), observation.cues)
@@ -180,6 +189,7 @@ def demonstrate(
     *,
     name: str = "demonstration",
     limit_s: float = 600.0,
+    attention: Attention | None = None,
     journal: Journal | None = None,
     watch: Callable[[Percepts, Observer], None] | None = None,
 ) -> Demonstration:
@@ -191,6 +201,7 @@ def demonstrate(
         settings: of the learner.
         name: of the demonstration.
         limit_s: seconds after which a demonstration without DONE is ended; it counts up to then.
+        attention: as for :func:`observe`.
         journal: is told everything, for a recording.
         watch: is called after every tick, for a display.
 
@@ -199,7 +210,7 @@ def demonstrate(
         RobotError: the readings cannot be used.
     """
     journal = journal or NoJournal()
-    perception, observer = Perception(robot.spec), Observer(settings)
+    perception, observer = Perception(robot.spec, attention=attention), Observer(settings)
     apprentice = Apprentice(skills, robot.spec)
 
     begun_s: float | None = None
