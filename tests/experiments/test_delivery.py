@@ -1,18 +1,13 @@
 """The delivery task (§3.5.2): the document, the rooms that are drawn, a run from the worst beginning, a recovery."""
 
+import numpy as np
 import pytest
 
 from understudy.behaviors import installed_skills
 from understudy.execution import compile_network
-from understudy.experiments import delivery
-from understudy.experiments.delivery import (
-    CONDITIONS,
-    Condition,
-    DeliveryTrial,
-    delivery_table,
-    delivery_trial,
-    disturbed,
-)
+from understudy.experiments import CONDITIONS, Condition, DeliveryTrial, delivery, delivery_trial, disturbed
+from understudy.experiments.__main__ import main
+from understudy.experiments.delivery_rooms import draw_room
 from understudy.geometry import Point
 from understudy.learning import observe
 from understudy.network import load_task, task_path
@@ -32,17 +27,8 @@ def test_the_bundled_task_watches_the_bundled_rooms_landmarks() -> None:
 
 
 @pytest.mark.parametrize("condition", CONDITIONS, ids=str)
-def test_rooms_are_drawn_as_the_condition_says(condition: Condition, monkeypatch: pytest.MonkeyPatch) -> None:
-    drawn: list[World] = []
-
-    def look(name: str, network: object, world: World, *more: object, **others: object) -> None:
-        drawn.append(world)
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(delivery, "perform", look)
-    for seed in range(5):
-        with pytest.raises(KeyboardInterrupt):
-            delivery_trial(condition, seed, door_open=seed == 0)
+def test_rooms_are_drawn_as_the_condition_says(condition: Condition) -> None:
+    drawn = [draw_room(condition, np.random.default_rng(seed), door_open=seed == 0) for seed in range(5)]
     for world in drawn:
         robot, box = world.robots[0], world.boxes[0]
         assert (robot.at[1] < 3.5) is (condition.robot == "home")
@@ -54,42 +40,46 @@ def test_rooms_are_drawn_as_the_condition_says(condition: Condition, monkeypatch
 
 
 def test_from_the_other_room_through_a_closed_door_with_the_box() -> None:
-    trial = delivery_trial(OTHER_OTHER, 1, door_open=False)
+    trial = delivery_trial(OTHER_OTHER, 1)
     assert trial.problems == ()
-    assert trial.switches == 0
+    assert (trial.door_open, trial.switches) == (False, 0)
 
 
 def test_a_robot_that_is_carried_away_in_mid_run_recovers() -> None:
-    quiet = delivery_trial(Condition(robot="home", box="home"), 2, door_open=False)
+    quiet = delivery_trial(Condition(robot="home", box="home"), 2)
     assert quiet.problems == ()
     trial = disturbed(quiet, "robot")
     assert trial.moved.startswith("the robot to (")
     assert trial.problems == ()
 
 
-def test_failures_are_told_with_their_causes(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(condition: Condition, seed: int, *, door_open: bool, move: delivery.Move = "", before_s: float = 0.0):  # type: ignore[no-untyped-def]
-        problems = ("the box lies 3.00 m from the beacon",) if move == "box" and seed == 107 else ()
+def test_failures_and_conditions_are_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def made(condition: Condition, seed: int, *, move: str | None = None, before_s: float = 0.0) -> DeliveryTrial:
+        fails = move == "box" and seed == 7 and condition == OTHER_OTHER
         return DeliveryTrial(
-            condition=condition,
-            door_open=door_open,
-            move=move,
+            experiment="delivery",
+            room=f"{move} moved" if move else "undisturbed",
             seed=seed,
             time_s=10.0 + seed,
-            problems=problems,
+            problems=("the box lies 3.00 m from the beacon",) if fails else (),
+            collisions=0,
+            grazes=0,
+            condition=condition,
+            door_open=seed % 4 == 0,
             switches=1,
             moved="the box to (1.0, 2.0) at 7 s" if move == "box" else "",
-            grazes=0,
         )
 
-    monkeypatch.setattr(delivery, "delivery_trial", fails)
-    lines: list[str] = []
-    trials = delivery_table([1], lines.append)
-    assert len(trials) == 48
-    assert "| nothing | robot home, box other | 4 of 4 | 116 s | 117 s | 4 | 0 |" in lines
-    assert "| box | robot home, box other | 3 of 4 | 116 s | 117 s | 4 | 0 |" in lines
-    assert lines[-1] == (
-        "- seed 107, robot home, box other, door closed, the box to (1.0, 2.0) at 7 s: "
+    monkeypatch.setattr(delivery, "delivery_trial", made)
+    monkeypatch.setattr("sys.argv", ["experiments", "delivery", "--trials", "4", "--seed", "5"])
+    main()
+    told = capsys.readouterr().out.splitlines()
+    assert "| delivery | undisturbed | 16 of 16 | 79% to 100% | 16 s | 18 s | 0 | 0 |" in told
+    assert "| delivery | box moved | 15 of 16 | 70% to 100% | 16 s | 18 s | 0 | 0 |" in told
+    assert "| nothing | robot home, box other | 4 of 4 | 16 s | 18 s | 4 |" in told
+    assert "| box | robot other, box other | 3 of 4 | 16 s | 18 s | 4 |" in told
+    assert told[-1] == (
+        "- delivery, box moved, seed 7, robot other, box other, door closed, the box to (1.0, 2.0) at 7 s: "
         "the box lies 3.00 m from the beacon"
     )
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from random import Random
 
 from understudy.behaviors.pick_up import PrimitivePickUp
-from understudy.behaviors.rooms import in_this_room, near_leaf
+from understudy.behaviors.rooms import in_this_room
 from understudy.behaviors.skill import Action, Actuator, Drive, Instance, Memory, Parameter, Parameters, Skill
 from understudy.perception import Percepts
 
@@ -69,8 +69,7 @@ class PrimitiveGetBox:
                 drive = Drive(linear=self.draw_in_speed)
                 return Action(drive=drive, paddles="open", lift="down"), {"let_in": ticks}
         boxes = [box for box in percepts.boxes if in_this_room(percepts, box.position)]
-        action, memory = self._fetch.step(replace(percepts, boxes=boxes), parameters, memory, random)
-        return replace(action, pushing=near_leaf(percepts)), memory
+        return self._fetch.step(replace(percepts, boxes=boxes), parameters, memory, random)
 
 
 GET_BOX = Skill(AbstractGetBox(), PrimitiveGetBox())

@@ -1,5 +1,7 @@
 """The dissertation's experiments as repeated trials, with every seed and failure counted."""
 
+from understudy.experiments.delivery import DeliveryTrial, delivery_tables, delivery_trial, delivery_trials, disturbed
+from understudy.experiments.delivery_rooms import CONDITIONS, Condition
 from understudy.experiments.hierarchical import hierarchical_tables, hierarchical_trials, links_with_init, visits
 from understudy.experiments.judging import problems_of
 from understudy.experiments.registry import EXPERIMENTS, Experiment
@@ -15,10 +17,17 @@ from understudy.experiments.trials import (
 )
 
 __all__ = [
+    "CONDITIONS",
     "EXPERIMENTS",
+    "Condition",
+    "DeliveryTrial",
     "Experiment",
     "Summary",
     "Trial",
+    "delivery_tables",
+    "delivery_trial",
+    "delivery_trials",
+    "disturbed",
     "hierarchical_tables",
     "hierarchical_trials",
     "links_with_init",

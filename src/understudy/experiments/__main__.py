@@ -16,7 +16,7 @@ def main() -> None:
     """Runs the trials and prints them."""
     parser = argparse.ArgumentParser(prog="python -m understudy.experiments", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(EXPERIMENTS)}; all if none is named")
-    parser.add_argument("--trials", type=int, default=5, help="executions a room (default 5)")
+    parser.add_argument("--trials", type=int, default=5, help="executions a room, or condition (default 5)")
     parser.add_argument("--seed", type=int, default=1, help="of the first trial; the next ones count up")
     arguments = parser.parse_args()
     names = arguments.names or list(EXPERIMENTS)
@@ -47,7 +47,7 @@ def main() -> None:
     failures = [trial for trial in all_trials if trial.problems]
     print("\nFailures: " + ("none" if not failures else ""))
     for t in failures:
-        print(f"- {t.experiment}, {t.room} room, seed {t.seed}: {'; '.join(t.problems)}")
+        print(f"- {t.named}: {'; '.join(t.problems)}")
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
 
+from understudy.experiments.delivery import delivery_tables, delivery_trials
 from understudy.experiments.hierarchical import hierarchical_tables, hierarchical_trials
 from understudy.experiments.trials import Trial, taught_trials
 
@@ -33,6 +34,7 @@ EXPERIMENTS: Mapping[str, Experiment] = MappingProxyType(
         "visit_targets": Experiment(trials=partial(taught_trials, "visit_targets")),
         "transport": Experiment(trials=partial(taught_trials, "transport")),
         "hierarchical": Experiment(trials=hierarchical_trials, tables=hierarchical_tables),
+        "delivery": Experiment(trials=delivery_trials, tables=delivery_tables),
     }
 )
-"""By name: §4.5.4.1, §4.5.4.3, §3.5.3."""
+"""By name: §4.5.4.1, §4.5.4.3, §3.5.3, §3.5.2."""

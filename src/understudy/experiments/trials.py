@@ -36,7 +36,7 @@ class Trial:
     """One execution.
 
     Attributes:
-        experiment, room, seed: which; the room is ``taught``, ``same`` or ``changed``.
+        experiment, room, seed: which; the room is ``taught``, ``same`` or ``changed``, or what else it is called.
         time_s: simulated time until it was done, or given up.
         problems: what was wrong; empty for a success.
         collisions, grazes: how many hard and soft contacts.
@@ -55,6 +55,11 @@ class Trial:
     @property
     def success(self) -> bool:
         return not self.problems
+
+    @property
+    def named(self) -> str:
+        """Which it is, for a reader."""
+        return f"{self.experiment}, {self.room} room, seed {self.seed}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,7 +8,7 @@ from understudy.robot import Scan
 
 __all__ = ["put_elsewhere"]
 
-_APART_M = 0.5
+_APART_M = 0.2
 """In a tenth of a second the robot itself drives 5 cm."""
 
 _SHARE = 0.4
