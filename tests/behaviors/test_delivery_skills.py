@@ -113,11 +113,12 @@ def test_where_nobody_watches_a_door_there_is_nothing_to_observe() -> None:
 
 
 def test_what_they_observe_holds() -> None:
-    percepts = at(-1.5, gap=WIDE, gripper=PUSHING, beacon=None)
+    percepts = at(-1.5, gap=WIDE, gripper=PUSHING, beacon=beacon(0.7, color=Color.RED))
     seen = {
         skill.name: list(skill.abstract.observe(percepts)) for skill in DELIVERY if skill.abstract.observe(percepts)
     }
     assert set(seen) == {"Localize", "GetBox", "GoTo", "OpenDoor", "GoThroughDoor"}
+    assert len(seen["GoTo"]) == 2
     for skill in DELIVERY:
         for instance in seen[skill.name]:
             assert goal(skill, percepts, **dict(instance.parameters))
@@ -182,10 +183,10 @@ def test_get_box_goes_to_the_box_of_this_room() -> None:
     assert action.drive.bearing == pytest.approx(math.pi / 4)
 
 
-def beacon(distance: float, bearing_deg: float = 0.0, seen_s: float = 0.0) -> Thing:
+def beacon(distance: float, bearing_deg: float = 0.0, seen_s: float = 0.0, color: Color = Color.PINK) -> Thing:
     reach, bearing = distance + 0.1, math.radians(bearing_deg)
     place = Point(reach * math.cos(bearing), reach * math.sin(bearing))
-    return Thing(id=0, color=Color.PINK, position=place, radius=0.1, sensed=True, seen_s=seen_s)
+    return Thing(id=0, color=color, position=place, radius=0.1, sensed=True, seen_s=seen_s)
 
 
 def test_go_to_home() -> None:

@@ -114,6 +114,10 @@ def test_being_put_on_the_other_side_of_the_room_is() -> None:
     assert put_elsewhere(boxed(Pose(-1.0, -2.0, 0.0)), boxed(Pose(1.0, 2.0, 2.0)), 0.0)
 
 
+def test_being_put_before_another_wall_which_looks_much_like_the_first_is() -> None:
+    assert put_elsewhere(boxed(Pose(1.3, 0.0, 0.0)), boxed(Pose(1.2, 2.0, 0.6)), 0.0)
+
+
 def test_a_door_that_swings_open_is_not_being_lifted() -> None:
     closed = np.full(181, 1.0, np.float32)
     opened = closed.copy()

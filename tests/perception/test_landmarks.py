@@ -150,5 +150,23 @@ def test_what_is_pushed_is_known_by_its_color_and_back_on_the_floor_when_it_is_l
     assert left.position.distance_to(Point(0.39, 0.0)) < 0.02
 
 
+def test_what_a_robot_pushed_stays_behind_when_it_is_carried_away() -> None:
+    perception = Perception(PIONEER, attention=DOORS)
+    for tick in range(4):
+        perception.update(observed(tick / 10, DOOR, boxes=[(Color.ORANGE, Point(1.2, 0.0))], gripper=OPEN))
+    at = Pose(0.87, 0.0)
+    for tick in range(9):
+        percepts = perception.update(observed(0.4 + tick / 10, DOOR, at, blind=True, gripper=BROKEN))
+    assert percepts.gripper is not None
+    assert percepts.gripper.pushing is Color.ORANGE
+    fence = [Point(1.2 * math.cos(a / 4), 1.2 * math.sin(a / 4)) for a in range(-6, 7)]
+    around = [(Color.RED, at.to_parent(post)) for post in fence]
+    for tick in range(5):
+        percepts = perception.update(observed(1.3 + tick / 10, around, at, blind=True, gripper=OPEN))
+    assert percepts.gripper is not None
+    assert percepts.gripper.pushing is None
+    assert not percepts.boxes
+
+
 OPEN = GripperReading(aperture=1.0, lift=0.0, beam_broken=False)
 BROKEN = GripperReading(aperture=1.0, lift=0.0, beam_broken=True)

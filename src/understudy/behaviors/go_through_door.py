@@ -13,6 +13,7 @@ from understudy.behaviors.rooms import (
     doorway_of,
     leaf_of,
     look_again,
+    observed_posts,
     posts_of,
 )
 from understudy.behaviors.skill import Action, Actuator, Drive, Instance, Memory, Parameters, Skill
@@ -43,8 +44,12 @@ class AbstractGoThroughDoor:
         return doorway_of(percepts, parameters) is not None
 
     def observe(self, percepts: Percepts) -> Mapping[Instance, Mapping[str, float]]:
-        rooms = [room for room in (HOME, OTHER) for doorway in percepts.doorways if _inside(doorway, room)]
-        return {Instance(self.name, (("room", room),)): {} for room in rooms}
+        return {
+            Instance(self.name, (("room", room), *observed_posts(door))): {}
+            for room in (HOME, OTHER)
+            for door in percepts.doorways
+            if _inside(door, room)
+        }
 
     def describe(self, parameters: Parameters) -> str:
         return f"go through the door into the {parameters['room']} room"

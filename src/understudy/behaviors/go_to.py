@@ -5,7 +5,16 @@ from collections.abc import Mapping
 from dataclasses import replace
 from random import Random
 
-from understudy.behaviors.rooms import BEACON, LEFT_POST, RIGHT_POST, Passage, doorway_of, near_leaf, posts_of
+from understudy.behaviors.rooms import (
+    BEACON,
+    LEFT_POST,
+    RIGHT_POST,
+    Passage,
+    doorway_of,
+    near_leaf,
+    observed_posts,
+    posts_of,
+)
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
 from understudy.geometry import wrap_angle
 from understudy.perception import Attention, Doorway, Percepts, Thing
@@ -47,11 +56,14 @@ class AbstractGoTo:
         return doorway_of(percepts, parameters) is not None
 
     def observe(self, percepts: Percepts) -> Mapping[Instance, Mapping[str, float]]:
-        places = [DOOR] if any(map(_before_the_door, percepts.doorways)) else []
-        beacon = percepts.landmarks.get(BEACON.check(self.name, BEACON.default))  # type: ignore[call-overload]
-        if beacon is not None and _at_home(percepts, beacon):
-            places.append(HOME)
-        return {Instance(self.name, (("place", place),)): {} for place in places}
+        doors = percepts.doorways
+        posts = {color for door in doors for color in door.posts}
+        beacons = [color for color in percepts.landmarks if doors and color not in posts]
+        found = [(DOOR, observed_posts(door)) for door in doors if _before_the_door(door)]
+        found += [
+            (HOME, ((BEACON.name, str(color)),)) for color in beacons if _at_home(percepts, percepts.landmarks[color])
+        ]
+        return {Instance(self.name, (("place", place), *which)): {} for place, which in found}
 
     def describe(self, parameters: Parameters) -> str:
         return "go home" if parameters["place"] == HOME else "go to the door"

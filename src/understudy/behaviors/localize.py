@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from random import Random
 
-from understudy.behaviors.rooms import HOME, LEFT_POST, OTHER, RIGHT_POST, doorway_of, posts_of, room_of
+from understudy.behaviors.rooms import HOME, LEFT_POST, OTHER, RIGHT_POST, doorway_of, observed_posts, posts_of, room_of
 from understudy.behaviors.skill import Action, Actuator, Instance, Memory, Parameter, Parameters, Skill
 from understudy.behaviors.wander import Wander
 from understudy.perception import Attention, Percepts
@@ -33,7 +33,7 @@ class AbstractLocalize:
         return True
 
     def observe(self, percepts: Percepts) -> Mapping[Instance, Mapping[str, float]]:
-        return {Instance(self.name, (("room", EITHER),)): {}} if percepts.doorways else {}
+        return {Instance(self.name, (("room", EITHER), *observed_posts(door))): {} for door in percepts.doorways}
 
     def describe(self, parameters: Parameters) -> str:
         room = parameters["room"]

@@ -13,6 +13,7 @@ from understudy.behaviors.rooms import (
     doorway_of,
     leaf_of,
     look_again,
+    observed_posts,
     posts_of,
 )
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameters, Skill
@@ -41,8 +42,8 @@ class AbstractOpenDoor:
         return doorway_of(percepts, parameters) is not None
 
     def observe(self, percepts: Percepts) -> Mapping[Instance, Mapping[str, float]]:
-        free = any(doorway.free(PASSABLE_M) for doorway in percepts.doorways)
-        return {Instance(self.name): {}} if free else {}
+        free = [door for door in percepts.doorways if door.free(PASSABLE_M)]
+        return {Instance(self.name, observed_posts(door)): {} for door in free}
 
     def describe(self, parameters: Parameters) -> str:
         return "open the door"

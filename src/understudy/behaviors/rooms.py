@@ -27,6 +27,7 @@ __all__ = [
     "leaf_of",
     "look_again",
     "near_leaf",
+    "observed_posts",
     "posts_of",
     "room_of",
 ]
@@ -59,6 +60,11 @@ def posts_of(parameters: Parameters) -> Attention:
 def doorway_of(percepts: Percepts, parameters: Parameters) -> Doorway | None:
     """The door that these parameters are about, if the robot knows where it is."""
     return percepts.doorway(parameters[LEFT_POST.name], parameters[RIGHT_POST.name])
+
+
+def observed_posts(doorway: Doorway) -> tuple[tuple[str, str], ...]:
+    """The parameters of an observed instance that say which door it is about."""
+    return ((LEFT_POST.name, str(doorway.posts[0])), (RIGHT_POST.name, str(doorway.posts[1])))
 
 
 def room_of(doorway: Doorway) -> str:

@@ -189,12 +189,12 @@ def texts_of(
 
 
 def _completed(component: Component | Nab, skills: Mapping[str, Skill]) -> Component | Nab:
-    """The component with its skill's defaults, where the skill is known."""
+    """The component with its skill's numbers, where the skill is known; words that it leaves out go without saying."""
     if isinstance(component, Nab) or component.behavior not in skills:
         return component
     values = skills[component.behavior].complete(component.parameters)
-    plain = {name: value if isinstance(value, float) else str(value) for name, value in values.items()}
-    return Component(id=component.id, behavior=component.behavior, parameters=plain)
+    numbers = {name: value for name, value in values.items() if isinstance(value, float)}
+    return Component(id=component.id, behavior=component.behavior, parameters={**component.parameters, **numbers})
 
 
 def _contents(nab: Nab) -> str:

@@ -73,6 +73,10 @@ class GripperSense:
             pushing=self.pushing,
         )
 
+    def lifted(self) -> None:
+        """Somebody carried the robot away: what it pushed stayed behind."""
+        self._let_in_s = self.pushing = None
+
     def _push(self, time_s: float, pose: Pose, reading: GripperReading, boxes: Memory) -> None:
         """What stands between the open, lowered paddles leaves the memory of things on the floor, and returns to it."""
         if self.holding or (self.blocked and reading.lift > _RAISED_ABOVE):

@@ -201,6 +201,7 @@ class Perception:
         """Somebody put the robot elsewhere: what it remembers is not where it believes it to be."""
         for memory in (self.targets, self.boxes, self.people):
             memory.tracks = []
+        self.gripper.lifted()
 
     def _range_along(self, scan: Scan, bearing: float) -> float:
         """What the laser, which sits nearly where the camera does, measures in a direction; zero if nothing."""
