@@ -183,6 +183,28 @@ def test_get_box_goes_to_the_box_of_this_room() -> None:
     assert action.drive.bearing == pytest.approx(math.pi / 4)
 
 
+def test_a_box_behind_a_leaf_is_come_to_from_another_side() -> None:
+    seen = at(-2.5, boxes=(box(0.95),))
+    before, behind = ([[x, y / 20] for y in range(-6, 7)] for x in (0.7, 1.1))
+    ring = [[0.95 + 0.4 * math.cos(a / 5), 0.4 * math.sin(a / 5)] for a in range(32)]
+    for points, around in ((before, True), (behind, False), (ring, False)):
+        action, memory = step(GET_BOX, replace(seen, obstacles=np.array(points)), color="orange")
+        assert (memory.get("phase") == "around") is around
+        assert (action.pushing is None) is around, "what stands before it would push it along"
+        if around:
+            assert isinstance(action.drive, Head)
+            assert abs(action.drive.bearing) > math.radians(30)
+    # It gets there, and takes the box from there.
+    memory = {"phase": "around", "direction": math.pi, "begun_s": 0.0}
+    there = at(-2.5, boxes=(box(0.95),), leaf=True)
+    action, memory = step(GET_BOX, there, memory, color="orange")
+    assert memory["straight_on"]
+    assert action.pushing is not None
+    # Neither does it try for ever.
+    memory = {"phase": "around", "direction": 0.0, "begun_s": 0.0}
+    assert step(GET_BOX, at(-2.5, boxes=(box(0.95),), time_s=15.1), memory, color="orange")[1]["straight_on"]
+
+
 def beacon(distance: float, bearing_deg: float = 0.0, seen_s: float = 0.0, color: Color = Color.PINK) -> Thing:
     reach, bearing = distance + 0.1, math.radians(bearing_deg)
     place = Point(reach * math.cos(bearing), reach * math.sin(bearing))

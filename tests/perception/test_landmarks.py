@@ -71,7 +71,7 @@ def test_where_the_senses_contradict_memory_altogether_all_of_it_is_given_up() -
     assert set(memory.known) == {LEFT}
 
 
-@pytest.mark.parametrize(("how", "looks"), [("through", 8), ("hidden", 30)])
+@pytest.mark.parametrize(("how", "looks"), [("through", 8), ("hidden", 100)])
 def test_what_should_be_seen_and_is_not_is_forgotten(how: Literal["through", "hidden"], looks: int) -> None:
     memory = LandmarkMemory([HOME])
     seen(memory, Pose(), {HOME: Point(2, 0)}, 0.0)

@@ -1,15 +1,25 @@
 """``GetBox(color)``: have a box between the paddles, on the floor, so that it can be pushed (§3.5.2.2)."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from random import Random
 
+import numpy as np
+from numpy.typing import NDArray
+
 from understudy.behaviors.pick_up import PrimitivePickUp
-from understudy.behaviors.rooms import in_this_room
-from understudy.behaviors.skill import Action, Actuator, Drive, Instance, Memory, Parameter, Parameters, Skill
-from understudy.perception import Percepts
+from understudy.behaviors.rooms import in_this_room, near_leaf
+from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
+from understudy.behaviors.stand import stand_at
+from understudy.geometry import wrap_angle
+from understudy.perception import Percepts, Thing
+from understudy.robot import PIONEER
 
 __all__ = ["GET_BOX", "AbstractGetBox", "PrimitiveGetBox"]
+
+_HALF_WAY_M = PIONEER.width / 2 + 0.07
+_SIDES = np.radians(np.arange(0, 360, 10))
 
 COLOR = Parameter(name="color", kind="color")
 
@@ -50,11 +60,22 @@ class AbstractGetBox:
 
 
 class PrimitiveGetBox:
-    """Takes the box in between the open paddles as ``PickUp`` does, and leaves them open."""
+    """Takes the box in between the open paddles as ``PickUp`` does, and leaves them open.
 
+    A leaf that stands before the box would push it along. So the robot comes to it from another side, if there is one.
+    """
+
+    speed = 0.30
     draw_in_speed = 0.12
     patience_ticks = 20
     """What stands between the paddles for so long, and is not known to be the box, is another one."""
+
+    near_m = 1.0
+    around_m = 0.95
+    """As near to the box as the first it looks whether its way is free; the second is where it goes if it is not."""
+
+    around_s = 15.0
+    """Longer than this it does not try to get to another side."""
 
     def __init__(self) -> None:
         self._fetch = PrimitivePickUp()
@@ -69,7 +90,44 @@ class PrimitiveGetBox:
                 drive = Drive(linear=self.draw_in_speed)
                 return Action(drive=drive, paddles="open", lift="down"), {"let_in": ticks}
         boxes = [box for box in percepts.boxes if in_this_room(percepts, box.position)]
-        return self._fetch.step(replace(percepts, boxes=boxes), parameters, memory, random)
+        box = next((box for box in boxes if box.color == parameters["color"]), None)
+        if box is not None and memory.get("phase", "approach") in ("approach", "around"):
+            memory = self._other_side(percepts, box, memory)
+            if memory.get("phase") == "around":
+                stand = stand_at(
+                    memory["direction"], box.position, self.around_m, 0.0, percepts.odometry.pose.heading
+                ).place
+                return Action(drive=Head(bearing=stand.bearing, speed=self.speed)), memory
+        action, memory = self._fetch.step(replace(percepts, boxes=boxes), parameters, memory, random)
+        return replace(action, pushing=near_leaf(percepts)), memory
+
+    def _other_side(self, percepts: Percepts, box: Thing, memory: Memory) -> Memory:
+        """The way around the box, if that is better than straight on; and its end."""
+        heading, here = percepts.odometry.pose.heading, wrap_angle(box.bearing + math.pi)
+        if memory.get("phase") == "around":
+            stand = stand_at(memory["direction"], box.position, self.around_m, 0.0, heading).place
+            there, late = stand.distance < 0.2, percepts.time_s - memory["begun_s"] > self.around_s
+            return {"straight_on": True} if there or late else memory
+        if memory.get("straight_on") or box.distance_m > self.near_m:
+            return memory
+        if not _barred(percepts, box, np.array([here]), box.distance_m)[0]:
+            return memory
+        free = _SIDES[~_barred(percepts, box, _SIDES, self.around_m + PIONEER.length / 2)]
+        stands = [(stand_at(side, box.position, self.around_m, 0.0, 0.0).place, side) for side in free.tolist()]
+        ways = [(place.distance, side) for place, side in stands if in_this_room(percepts, place)]
+        if not ways:
+            return memory
+        return {"phase": "around", "direction": wrap_angle(min(ways)[1] + heading), "begun_s": percepts.time_s}
+
+
+def _barred(percepts: Percepts, box: Thing, sides: NDArray[np.float64], reach: float) -> NDArray[np.bool_]:
+    """For each side of a box, as directions in the robot's frame, whether anything tall stands there within reach."""
+    x, y = percepts.obstacles[:, 0] - box.position.x, percepts.obstacles[:, 1] - box.position.y
+    c, s = np.cos(sides)[:, None], np.sin(sides)[:, None]
+    away, aside = c * x + s * y, c * y - s * x
+    barred: NDArray[np.bool_] = (away > 0) & (away < reach) & (np.abs(aside) < _HALF_WAY_M)
+    found: NDArray[np.bool_] = np.logical_or.reduce(barred, axis=1)
+    return found
 
 
 GET_BOX = Skill(AbstractGetBox(), PrimitiveGetBox())

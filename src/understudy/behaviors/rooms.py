@@ -45,6 +45,9 @@ PASSABLE_M = PIONEER.width + 0.28
 _SHY_M = 0.35
 """The middle of the robot keeps so far from the posts."""
 
+_EDGE_M = 0.15
+"""A leaf is as wide as the doorway, whose width the robot knows that well."""
+
 _RELY_S = 12.0
 """For so long the robot relies on where it saw a door's posts."""
 
@@ -74,7 +77,8 @@ def room_of(doorway: Doorway) -> str:
 
 def leaf_of(doorway: Doorway, *, shy: bool) -> Strip:
     """Where a door's leaf may stand, which gives way."""
-    return Strip(frame=doorway.frame, half_width=doorway.half_width - 0.05, reach=2 * doorway.half_width, shy=shy)
+    reach = 2 * doorway.half_width + _EDGE_M
+    return Strip(frame=doorway.frame, half_width=doorway.half_width - 0.05, reach=reach, shy=shy)
 
 
 def near_leaf(percepts: Percepts) -> Strip | None:

@@ -40,7 +40,7 @@ class LandmarkSettings:
     confirm: int = 3
     confirm_within_s: float = 1.0
     forget: int = 8
-    forget_hidden: int = 30
+    forget_hidden: int = 100
     drift_m: float = 0.8
     drift_rad: float = math.radians(35)
 
