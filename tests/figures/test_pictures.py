@@ -83,10 +83,16 @@ def averaged():
     return draw_progress_average(task, [*runs, runs[0][:3]])
 
 
+def doors():
+    return samples.room(doors=[{"hinge": [1.4, 3.3], "to": [2.25, 3.3], "open_deg": 10}])
+
+
 PICTURES = {
     "arena": arena,
     "arena, wide": lying,
-    "arena, at the start": lambda: draw_arena(samples.room(), box_note="at the start"),
+    "arena, at the start": lambda: draw_arena(samples.room(), note="at the start"),
+    "arena, doors": lambda: draw_arena(doors(), [samples.drive()], doors=[70.0]),
+    "arena, doors, at the start": lambda: draw_arena(doors(), note="at the start"),
     "arena, empty": lambda: draw_arena(samples.room()),
     "transport": lambda: draw_network(samples.transport(), title="fetch"),
     "defaults": lambda: draw_network(samples.loose(), None, installed_skills()),
@@ -158,7 +164,13 @@ def test_an_arena_names_things_and_numbers_marks():
 
 
 def test_boxes_may_be_said_to_stand_where_they_once_stood():
-    assert "orange box, at the start" in texts_of(draw_arena(samples.room(), box_note="at the start"))
+    assert "orange box, at the start" in texts_of(draw_arena(samples.room(), note="at the start"))
+
+
+def test_a_door_is_drawn_as_it_stands_in_the_end_and_where_it_was_at_the_start():
+    assert "door, at the start" in texts_of(draw_arena(doors(), note="at the start"))
+    swung, stayed = (len(draw_arena(doors(), doors=[opened]).axes[0].lines) for opened in (70.0, 11.0))
+    assert swung == stayed + 2
 
 
 def test_an_arena_is_to_scale():

@@ -84,7 +84,7 @@ def test_what_should_be_seen_and_is_not_is_forgotten(how: Literal["through", "hi
 def test_a_post_that_a_leaf_hides_is_known_as_long_as_the_other_one_is_where_it_should_be() -> None:
     memory = LandmarkMemory([LEFT, RIGHT])
     seen(memory, Pose(), dict(DOOR), 0.0)
-    for tick in range(90):
+    for tick in range(250):
         time_s = 1 + tick / 10
         if tick % 20 == 0:
             memory.sighted(time_s, Pose(), DOOR[1][1], 0.1, RIGHT)

@@ -60,7 +60,7 @@ def draw_arena(
     *,
     title: str | None = None,
     subtitle: str = "",
-    box_note: str = "",
+    note: str = "",
     doors: Sequence[float] = (),
 ) -> Figure:
     """Draw a room with trajectories and marks.
@@ -72,10 +72,10 @@ def draw_arena(
         title: the world's name if left out.
         subtitle: a line or two below it.
         doors: how far each door was open in the end, degrees; left out, they are drawn as they were at the beginning.
-        box_note: after the names of the boxes, ``at the start`` where nobody knows what became of them.
+        note: of boxes and doors, ``at the start`` where nobody knows what became of them.
     """
     name = world.name if title is None else title
-    return _Picture(world, trajectories, marks, name, subtitle, box_note, doors).draw()
+    return _Picture(world, trajectories, marks, name, subtitle, note, doors).draw()
 
 
 class _Picture:
@@ -88,11 +88,11 @@ class _Picture:
         marks: Sequence[Mark],
         title: str,
         subtitle: str,
-        box_note: str,
+        note: str,
         doors: Sequence[float],
     ) -> None:
         self.opened = list(doors) or [door.open_deg for door in world.doors]
-        self.box_note = f", {clean(box_note)}" if box_note else ""
+        self.note = f", {clean(note)}" if note else ""
         self.world, self.trajectories = world, [line for line in trajectories if len(line.points)]
         self.marks = sorted(marks, key=lambda mark: mark.time_s) if self.trajectories else []
         length, depth = world.arena.size
@@ -306,7 +306,11 @@ class _Picture:
 
     def _names(self) -> None:
         named = [(*target.at, target.radius, target.color.value) for target in self.world.targets]
-        named += [(*box.at, 0.7 * box.size, f"{box.color.value} box{self.box_note}") for box in self.world.boxes]
+        named += [(*box.at, 0.7 * box.size, f"{box.color.value} box{self.note}") for box in self.world.boxes]
+        if self.note:
+            for door, opened in zip(self.world.doors, self.opened, strict=True):
+                x_m, y_m = (sum(ends) / 2 for ends in zip(door.hinge, door.edge(opened), strict=True))
+                named.append((x_m, y_m, 0.1, f"door{self.note}"))
         for x_m, y_m, radius, text in named:
             x, y = self.xy(x_m, y_m)
             rect = self.placer.place(x, y, radius * self.scale + 2, (text_width(text, SMALL) + 2, 9.0))

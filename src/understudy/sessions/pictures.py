@@ -117,7 +117,7 @@ def picture_recording(recording: Recording, world: World | None, network: Networ
             marks,
             title=recording.info.name,
             subtitle=f"{ending}The robot's way as its wheels counted it.",
-            box_note="at the start",
+            note="at the start",
         )
         written += save(arena, stem.with_name(f"{stem.name}-room"))
     if network is not None:
