@@ -20,7 +20,7 @@ check: .venv/dev.stamp
 bench: .venv/dev.stamp
 	$(BIN)/python -m benchmarks
 
-# Long: the experiments of §4.5.4.1 and §4.5.4.3, twenty runs each in the same and in changed rooms.
+# Long: the experiments of §4.5.4.1, §4.5.4.3, §3.5.3 and §3.5.2, five runs each in every room or condition.
 trials: .venv/run.stamp
 	$(BIN)/python -m understudy.experiments
 

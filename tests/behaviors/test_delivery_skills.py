@@ -139,7 +139,7 @@ def test_localize() -> None:
 def test_a_room_is_searched_before_the_next_one() -> None:
     wander = Wander()
     for seed in range(20):
-        percepts = at(-1.2, heading_deg=20, gap=WIDE)
+        percepts = at(-1.6, heading_deg=20, gap=WIDE)
         _, memory = wander._look(percepts, {"turned": 7.0, "heading": 0.0, "until": 0.0, "side": 1.0}, Random(seed))
         reach = memory["length"] * math.cos(memory["heading"])
         assert reach <= 0.61
@@ -195,13 +195,16 @@ def test_a_box_behind_a_leaf_is_come_to_from_another_side() -> None:
             assert isinstance(action.drive, Head)
             assert abs(action.drive.bearing) > math.radians(30)
     # It gets there, and takes the box from there.
-    memory = {"phase": "around", "direction": math.pi, "begun_s": 0.0}
+    memory = {"phase": "around", "side": math.pi, "since_s": 0.0}
     there = at(-2.5, boxes=(box(0.95),), leaf=True)
     action, memory = step(GET_BOX, there, memory, color="orange")
     assert memory["straight_on"]
     assert action.pushing is not None
+    # A box that does not come nearer is come to from another side, too.
+    memory = {"phase": "approach", "nearest": 0.5, "since_s": 0.0, "straight_on": True}
+    assert step(GET_BOX, at(-2.5, boxes=(box(0.95),), time_s=6.1), memory, color="orange")[1]["phase"] == "around"
     # Neither does it try for ever.
-    memory = {"phase": "around", "direction": 0.0, "begun_s": 0.0}
+    memory = {"phase": "around", "side": 0.0, "since_s": 0.0}
     assert step(GET_BOX, at(-2.5, boxes=(box(0.95),), time_s=15.1), memory, color="orange")[1]["straight_on"]
 
 

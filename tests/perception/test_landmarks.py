@@ -56,9 +56,21 @@ def test_one_landmark_tells_for_all_how_far_the_odometry_has_gone_wrong_in_turni
     places = dict(DOOR)
     seen(memory, pose, places, 0.0)
     believed = Pose(pose.x, pose.y, heading + wrong)
-    assert not any(memory.sighted(1 + t / 10, believed, pose.to_local(places[LEFT]), 0.1, LEFT) for t in range(12))
-    here = memory.things(2.2, believed)[RIGHT].position
+    assert not any(memory.sighted(4 + t / 10, believed, pose.to_local(places[LEFT]), 0.1, LEFT) for t in range(12))
+    here = memory.things(5.2, believed)[RIGHT].position
     assert here.distance_to(pose.to_local(places[RIGHT])) < 0.06
+
+
+@given(st.floats(-0.12, 0.12), st.floats(-0.12, 0.12))
+def test_a_post_that_was_misplaced_finds_its_place_beside_the_other_one(x: float, y: float) -> None:
+    """Seen together, they tell how they stand to each other: correcting both by either would never mend that."""
+    memory = LandmarkMemory([LEFT, RIGHT])
+    places = dict(DOOR)
+    wrong = {LEFT: places[LEFT], RIGHT: Point(places[RIGHT].x + x, places[RIGHT].y + y)}
+    seen(memory, Pose(), wrong, 0.0)
+    seen(memory, Pose(), places, 0.3, 15)
+    found = memory.things(1.7, Pose())
+    assert found[LEFT].position.distance_to(found[RIGHT].position) == approx(1.4, abs=0.02)
 
 
 def test_where_the_senses_contradict_memory_altogether_all_of_it_is_given_up() -> None:

@@ -1,7 +1,7 @@
 """``GetBox(color)``: have a box between the paddles, on the floor, so that it can be pushed (§3.5.2.2)."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from random import Random
 
@@ -20,6 +20,7 @@ __all__ = ["GET_BOX", "AbstractGetBox", "PrimitiveGetBox"]
 
 _HALF_WAY_M = PIONEER.width / 2 + 0.07
 _SIDES = np.radians(np.arange(0, 360, 10))
+_Choose = Callable[[list[tuple[float, float]]], tuple[float, float]]
 
 COLOR = Parameter(name="color", kind="color")
 
@@ -62,7 +63,8 @@ class AbstractGetBox:
 class PrimitiveGetBox:
     """Takes the box in between the open paddles as ``PickUp`` does, and leaves them open.
 
-    A leaf that stands before the box would push it along. So the robot comes to it from another side, if there is one.
+    A leaf that stands before the box would push it along. So the robot comes to it from another side, if there is one;
+    and so it does, from any, when it does not get at the box.
     """
 
     speed = 0.30
@@ -71,11 +73,13 @@ class PrimitiveGetBox:
     """What stands between the paddles for so long, and is not known to be the box, is another one."""
 
     near_m = 1.0
+    """As near to the box as this the robot looks whether its way is free."""
+
     around_m = 0.95
-    """As near to the box as the first it looks whether its way is free; the second is where it goes if it is not."""
+    """So far from the box is the place on another side of it to which the robot goes."""
 
     around_s = 15.0
-    """Longer than this it does not try to get to another side."""
+    """Longer than this it does not try to get there."""
 
     def __init__(self) -> None:
         self._fetch = PrimitivePickUp()
@@ -91,33 +95,31 @@ class PrimitiveGetBox:
                 return Action(drive=drive, paddles="open", lift="down"), {"let_in": ticks}
         boxes = [box for box in percepts.boxes if in_this_room(percepts, box.position)]
         box = next((box for box in boxes if box.color == parameters["color"]), None)
-        if box is not None and memory.get("phase", "approach") in ("approach", "around"):
-            memory = self._other_side(percepts, box, memory)
-            if memory.get("phase") == "around":
-                stand = stand_at(
-                    memory["direction"], box.position, self.around_m, 0.0, percepts.odometry.pose.heading
-                ).place
+        if box is not None and memory.get("phase", "approach") == "approach" and "straight_on" not in memory:
+            here = np.array([wrap_angle(box.bearing + math.pi)])
+            if box.distance_m < self.near_m and _barred(percepts, box, here, box.distance_m)[0]:
+                memory = self._begin_around(percepts, box, memory, min)
+        if box is not None and memory.get("phase") == "around":
+            side = wrap_angle(memory["side"] - percepts.odometry.pose.heading)
+            stand = stand_at(side, box.position, self.around_m, 0.0, 0.0).place
+            if stand.distance > 0.2 and percepts.time_s - memory["since_s"] < self.around_s:
                 return Action(drive=Head(bearing=stand.bearing, speed=self.speed)), memory
+            memory = {"straight_on": True}
+        before = memory.get("phase")
         action, memory = self._fetch.step(replace(percepts, boxes=boxes), parameters, memory, random)
+        if box is not None and memory.get("phase") == "leave" != before:
+            memory = self._begin_around(percepts, box, memory, random.choice)
         return replace(action, pushing=near_leaf(percepts)), memory
 
-    def _other_side(self, percepts: Percepts, box: Thing, memory: Memory) -> Memory:
-        """The way around the box, if that is better than straight on; and its end."""
-        heading, here = percepts.odometry.pose.heading, wrap_angle(box.bearing + math.pi)
-        if memory.get("phase") == "around":
-            stand = stand_at(memory["direction"], box.position, self.around_m, 0.0, heading).place
-            there, late = stand.distance < 0.2, percepts.time_s - memory["begun_s"] > self.around_s
-            return {"straight_on": True} if there or late else memory
-        if memory.get("straight_on") or box.distance_m > self.near_m:
-            return memory
-        if not _barred(percepts, box, np.array([here]), box.distance_m)[0]:
-            return memory
+    def _begin_around(self, percepts: Percepts, box: Thing, memory: Memory, choose: _Choose) -> Memory:
+        """To another side of the box, from which nothing stands before it; memory as it is where there is none."""
         free = _SIDES[~_barred(percepts, box, _SIDES, self.around_m + PIONEER.length / 2)]
         stands = [(stand_at(side, box.position, self.around_m, 0.0, 0.0).place, side) for side in free.tolist()]
         ways = [(place.distance, side) for place, side in stands if in_this_room(percepts, place)]
         if not ways:
             return memory
-        return {"phase": "around", "direction": wrap_angle(min(ways)[1] + heading), "begun_s": percepts.time_s}
+        side = wrap_angle(choose(ways)[1] + percepts.odometry.pose.heading)
+        return {"phase": "around", "side": side, "since_s": percepts.time_s}
 
 
 def _barred(percepts: Percepts, box: Thing, sides: NDArray[np.float64], reach: float) -> NDArray[np.bool_]:

@@ -1,19 +1,21 @@
 """``Wander``: search the room when no skill of the task is in execution (A.4, semantics §1)."""
 
 import math
+from dataclasses import replace
 from random import Random
 
 import numpy as np
 from numpy.typing import NDArray
 
+from understudy.behaviors.rooms import near_leaf
 from understudy.behaviors.skill import Action, Drive, Head, Memory
 from understudy.geometry import Pose, wrap_angle
 from understudy.perception import Doorway, Percepts
 
 __all__ = ["Wander"]
 
-_BEFORE_DOOR_M = 0.6
-"""A search ends so far before the line of a door."""
+_BEFORE_DOOR_M = 1.0
+"""A search ends so far before the line of a door: still well inside the room that is searched."""
 
 
 class Wander:
@@ -39,8 +41,10 @@ class Wander:
                 "until": percepts.time_s + 1.5 * math.tau / self.turn_rate,
             }
         if memory["phase"] == "look":
-            return self._look(percepts, memory, random)
-        return self._go(percepts, memory)
+            action, memory = self._look(percepts, memory, random)
+        else:
+            action, memory = self._go(percepts, memory)
+        return (replace(action, pushing=near_leaf(percepts)) if percepts.doorways else action), memory
 
     def _look(self, percepts: Percepts, memory: Memory, random: Random) -> tuple[Action, Memory]:
         heading = percepts.odometry.pose.heading

@@ -25,6 +25,7 @@ class LandmarkSettings:
         gate_m: a sighting this near to the remembered place agrees with it.
         gate_per_m: added for every metre of distance.
         smoothing: weight of a new place against the remembered one.
+        alone_s: when no other landmark was seen for so long, an error is taken for the odometry's, and not for its own.
         confirm: sightings in a row that agree with each other, before a landmark is believed or a place is given up.
         confirm_within_s: they must come within this time.
         forget: looks at its place, through which the laser could see, that did not show it.
@@ -37,6 +38,7 @@ class LandmarkSettings:
     gate_m: float = 0.20
     gate_per_m: float = 0.06
     smoothing: float = 0.4
+    alone_s: float = 3.0
     confirm: int = 3
     confirm_within_s: float = 1.0
     forget: int = 8
@@ -91,7 +93,7 @@ class LandmarkMemory:
             expected = pose.to_local(landmark.place)
             if expected.distance_to(position) <= gate:
                 self._doubts.pop(color, None)
-                self._correct(pose, expected, position, settings.smoothing)
+                self._learn(time_s, pose, color, position)
                 landmark.radius = 0.8 * landmark.radius + 0.2 * radius
                 landmark.seen_s, landmark.misses = time_s, 0
                 for each in self.known.values():
@@ -118,6 +120,21 @@ class LandmarkMemory:
                 self._correct(pose, expected, position, 1.0)
         self.known[color] = _Landmark(place, radius, time_s)
         return lost
+
+    def _learn(self, time_s: float, pose: Pose, color: Color, position: Point) -> None:
+        """Brings memory nearer to a sighting that agrees with it.
+
+        Where another landmark was seen a moment ago the odometry cannot have gone wrong much: the error is in the
+        place of this one. The longer none was, the more it is the odometry's, and holds for all.
+        """
+        landmark, smoothing = self.known[color], self.settings.smoothing
+        others = max((each.seen_s for other, each in self.known.items() if other is not color), default=-math.inf)
+        alone = min(1.0, (time_s - others) / self.settings.alone_s)
+        self._correct(pose, pose.to_local(landmark.place), position, smoothing * alone)
+        here, own = pose.to_local(landmark.place), smoothing * (1.0 - alone)
+        landmark.place = pose.to_parent(
+            Point(here.x + own * (position.x - here.x), here.y + own * (position.y - here.y))
+        )
 
     def _correct(self, pose: Pose, expected: Point, position: Point, share: float) -> None:
         """Turns all landmarks about the robot, and shifts them along the line of sight, by what one of them showed."""

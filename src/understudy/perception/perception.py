@@ -55,12 +55,21 @@ _FAR = 4.0
 _CUT = 0.3
 """A blob narrowed by the picture's border fits less well than a whole one of the right width."""
 
+_UNSURE = 0.2
+"""Metres by which a landmark's remembered place may be wrong."""
+
 _SLIM = 3
 """Pixels; a narrower blob is too slim for its direction to be trusted."""
 
 _LASER_HALF_FIELD = math.radians(85)
 _NEAR = 1.0
 _RIM = np.array([(math.cos(a), math.sin(a)) for a in np.radians(np.arange(0, 360, 30))])
+
+
+def _across(here: Point) -> list[Point]:
+    """A landmark's place, and as far to both sides of it as memory may be wrong."""
+    c, s = math.cos(here.bearing), math.sin(here.bearing)
+    return [Point(here.x - s * aside, here.y + c * aside) for aside in (-_UNSURE, 0.0, _UNSURE)]
 
 
 class Perception:
@@ -184,7 +193,7 @@ class Perception:
                 here, _TALL_TOP / 2, margin=12
             ):
                 return ""
-            beyond = self._range_towards(scan, here) - here.distance
+            beyond = min(self._range_towards(scan, place) - place.distance for place in _across(here))
             return "through" if beyond > 0.3 else "hidden" if beyond > -0.5 else ""
 
         self.landmarks.contradict(time_s, pose, look)
