@@ -117,7 +117,7 @@ class LandmarkMemory:
             if lost:
                 self.known.clear()
             else:
-                self._correct(pose, expected, position, 1.0)
+                self._correct(pose, expected, position, self._alone(time_s, color))
         self.known[color] = _Landmark(place, radius, time_s)
         return lost
 
@@ -128,13 +128,17 @@ class LandmarkMemory:
         place of this one. The longer none was, the more it is the odometry's, and holds for all.
         """
         landmark, smoothing = self.known[color], self.settings.smoothing
-        others = max((each.seen_s for other, each in self.known.items() if other is not color), default=-math.inf)
-        alone = min(1.0, (time_s - others) / self.settings.alone_s)
+        alone = self._alone(time_s, color)
         self._correct(pose, pose.to_local(landmark.place), position, smoothing * alone)
         here, own = pose.to_local(landmark.place), smoothing * (1.0 - alone)
         landmark.place = pose.to_parent(
             Point(here.x + own * (position.x - here.x), here.y + own * (position.y - here.y))
         )
+
+    def _alone(self, time_s: float, color: Color) -> float:
+        """How much of an error is the odometry's: 0 where another landmark is in sight, 1 where none was for long."""
+        others = max((each.seen_s for other, each in self.known.items() if other != color), default=-math.inf)
+        return min(1.0, (time_s - others) / self.settings.alone_s)
 
     def _correct(self, pose: Pose, expected: Point, position: Point, share: float) -> None:
         """Turns all landmarks about the robot, and shifts them along the line of sight, by what one of them showed."""
