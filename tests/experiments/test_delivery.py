@@ -1,7 +1,10 @@
 """The delivery task (§3.5.2): the document, the rooms that are drawn, a run from the worst beginning, a recovery."""
 
+from typing import Any
+
 import numpy as np
 import pytest
+import yaml
 
 from understudy.behaviors import installed_skills
 from understudy.execution import compile_network
@@ -10,9 +13,10 @@ from understudy.experiments.__main__ import main
 from understudy.experiments.delivery_rooms import draw_room
 from understudy.geometry import Point
 from understudy.learning import observe
-from understudy.network import load_task, task_path
+from understudy.network import load_task, parse_task, task_path
 from understudy.perception import Attention
 from understudy.robot import PIONEER, Color, Command, Cue
+from understudy.sessions import perform
 from understudy.sim import Simulation, World, load_world, world_path
 
 OTHER_OTHER = Condition(robot="other", box="other")
@@ -51,6 +55,47 @@ def test_a_robot_that_is_carried_away_in_mid_run_recovers() -> None:
     trial = disturbed(quiet, "robot")
     assert trial.moved.startswith("the robot to (")
     assert trial.problems == ()
+
+
+def test_nothing_rests_on_the_bundled_rooms() -> None:
+    """Another building, in other colors, with the home room on another side of the door."""
+    building = {
+        "understudy": "world/1",
+        "name": "other rooms",
+        "seed": 1,
+        "arena": {"size": [7.0, 5.0]},
+        "walls": [{"from": [3.2, 0.0], "to": [3.2, 1.85]}, {"from": [3.2, 3.45], "to": [3.2, 5.0]}],
+        "doors": [{"hinge": [3.2, 3.2], "to": [3.2, 2.1]}],
+        "targets": [
+            {"color": "red", "at": [3.2, 1.98]},
+            {"color": "light green", "at": [3.2, 3.32]},
+            {"color": "yellow", "at": [6.0, 4.0]},
+        ],
+        "boxes": [{"color": "pink", "at": [1.2, 1.5], "heading_deg": 30, "size": 0.13}],
+        "robots": [{"name": "robot", "at": [5.5, 1.5], "heading_deg": 100}],
+    }
+    recolored = painted(yaml.safe_load(task_path("delivery").read_text(encoding="utf-8")))
+    performed = perform(
+        "delivery", parse_task(recolored)[1], World.from_data(building), installed_skills(), limit_s=600.0
+    )
+    assert performed.report.done
+    assert performed.verdict.boxes[0].distance_to(Point(6.0, 4.0)) < 0.9
+    assert not performed.verdict.collisions
+
+
+def painted(part: Any) -> Any:
+    """The task for a red and a light green post, a yellow beacon and a pink box."""
+    posts = {"left_post": "red", "right_post": "light green"}
+    colors = dict.fromkeys(("Localize", "OpenDoor", "GoThroughDoor"), posts)
+    colors |= {"GoTo": posts | {"beacon": "yellow"}, "GetBox": {"color": "pink"}}
+    if isinstance(part, list):
+        return [painted(each) for each in part]
+    if not isinstance(part, dict):
+        return part
+    inside = {key: painted(value) for key, value in part.items()}
+    if "behavior" in inside:
+        inside["parameters"] = inside.get("parameters", {}) | colors[inside["behavior"]]
+    return inside
 
 
 def test_failures_and_conditions_are_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
