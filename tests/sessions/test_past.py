@@ -9,9 +9,10 @@ import pytest
 from understudy.behaviors import SkillSet, installed_skills
 from understudy.errors import NetworkError, RecordingError
 from understudy.execution import State, compile_network, load_context
-from understudy.network import LinkType, relinked
+from understudy.network import LinkType, load_task, relinked, task_path
 from understudy.recording import read_recording
 from understudy.sessions import Past, past_at, perform, what_if
+from understudy.sim import load_world, world_path
 
 from .conftest import Demonstrated
 
@@ -124,3 +125,11 @@ def test_another_skill_is_noticed(demonstrated: Show, whole: Path) -> None:
     )
     with pytest.raises(RecordingError, match="the robot would not do what it did"):
         past_at(read_recording(whole), shown.network, lazy, 30.0)
+
+
+def test_the_landmarks_of_a_past_are_watched_when_it_is_thought_through_again(tmp_path: Path) -> None:
+    _, network = load_task(task_path("delivery"))
+    world, skills, file = load_world(world_path("delivery")), installed_skills(), tmp_path / "run.mcap"
+    perform("delivery", network, world, skills, recording=file, pause_at_s=10.0)
+    past = past_at(read_recording(file), network, skills)
+    assert "delivery/deliver/localize" in {event.component for event in past.events if event.kind == "achieved"}

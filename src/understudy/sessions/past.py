@@ -143,7 +143,8 @@ def past_at(recording: Recording, network: Network, skills: Mapping[str, Skill],
         raise RecordingError(f"{path} is the run of another task: {told[0]}")
     seed = int(recording.info.metadata.get("seed", 0))
     spec = spec_of(recording)
-    controller, perception = Controller(network, skills, spec, seed=seed), Perception(spec)
+    controller = Controller(network, skills, spec, seed=seed)
+    perception = Perception(spec, attention=controller.program.attention)
     stopped_s = next((float(event["time_s"]) for event in recording.events() if event["kind"] == "stopped"), None)
     events: list[Event] = []
     for observation, command in _steps(recording, images=True):

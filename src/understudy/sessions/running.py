@@ -94,7 +94,7 @@ def perform(
     if prepare is not None:
         prepare(stage)
     controller = Controller(network, skills, stage.robot.spec, seed=stage.simulation.seed)
-    perception = Perception(stage.robot.spec)
+    perception = Perception(stage.robot.spec, attention=controller.program.attention)
     with ExitStack() as stack:
         journal: Journal | None = None
         if recording is not None:
