@@ -89,7 +89,7 @@ class Practice:
         self.settings = replace(settings or LearningSettings(), begin=Cue.COME, end=Cue.GO)
         self.network = network
         self.controller = Controller(network, skills, robot.spec, seed=seed)
-        self.perception = Perception(robot.spec)
+        self.perception = Perception(robot.spec, attention=self.controller.program.attention)
         self.history = History(network)
         self.corrections: list[Correction] = []
         self._lesson: tuple[Correction, Apprentice, Observer] | None = None
