@@ -158,7 +158,8 @@ def _around_robot(points: Points, radius: float) -> Points:
     """Those near the robot's turning point, column by column in memory: x and y are always taken apart."""
     x, y = points.T
     inside = (x * x + y * y < radius * radius).nonzero()[0]
-    return points.T.take(inside, axis=1).T
+    near: Points = points.T.take(inside, axis=1).T
+    return near
 
 
 def _within(points: Points, center: Point, radius: float) -> NDArray[np.bool_]:

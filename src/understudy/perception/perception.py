@@ -296,7 +296,9 @@ class Perception:
         free = list(cylinders)
         for memory in (self.people, self.targets):
             gate = self.settings.laser_gate if memory is self.targets else memory.settings.gate_m
-            for track, (x, y) in zip(memory.tracks, pose.to_locals(track.place for track in memory.tracks), strict=True):
+            for track, (x, y) in zip(
+                memory.tracks, pose.to_locals(track.place for track in memory.tracks), strict=True
+            ):
                 nearest, index = math.inf, 0
                 for i, cylinder in enumerate(free):
                     away = math.hypot(x - cylinder.center.x, y - cylinder.center.y)

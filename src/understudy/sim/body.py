@@ -78,6 +78,7 @@ class RobotBody:
         """Servo targets at the beginning and at the end of the coming period, within the spec's limits."""
         spec, gripper, dt = self.spec, self._gripper, CONTROL_PERIOD_S
         begin = self._servos
+        driving, turning, _, opened, lifted = begin.tolist()
         linear = min(spec.max_linear, max(-spec.max_linear, self.command.linear))
         angular = min(spec.max_angular, max(-spec.max_angular, self.command.angular))
         travel, height = gripper.opening / 2, gripper.lift_height
@@ -85,11 +86,11 @@ class RobotBody:
         lift = height - _SHY_M if self._raised else _SHY_M
         end = np.array(
             [
-                _toward(begin[0], linear, spec.max_linear_acceleration * dt),
-                _toward(begin[1], angular, spec.max_angular_acceleration * dt),
+                _toward(driving, linear, spec.max_linear_acceleration * dt),
+                _toward(turning, angular, spec.max_angular_acceleration * dt),
                 0.0,
-                _toward(begin[3], paddles, travel / _PADDLE_TRAVEL_S * dt),
-                _toward(begin[4], lift, height / _LIFT_TRAVEL_S * dt),
+                _toward(opened, paddles, travel / _PADDLE_TRAVEL_S * dt),
+                _toward(lifted, lift, height / _LIFT_TRAVEL_S * dt),
             ]
         )
         self._servos = end
