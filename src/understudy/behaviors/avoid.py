@@ -72,7 +72,7 @@ class Avoid:
         reach = self.settings.look_ahead if aim is None else min(self.settings.look_ahead, aim.distance)
         near = _around_robot(obstacles, reach + self.settings.corridor)
         if aim is not None:
-            near = near[~_within(near, aim, aim_radius + 0.12)]
+            near = near.T.compress(~_within(near, aim, aim_radius + 0.12), axis=1).T
         bearing = self._free_bearing(head.bearing, near, reach)
         if bearing is None:
             return Drive(angular=math.copysign(min(0.6, head.turn), head.bearing))

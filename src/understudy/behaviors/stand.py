@@ -91,9 +91,9 @@ def choose_direction(
         room = np.sqrt(np.minimum.reduce(squares, axis=1))
         cost += np.where(room < _TIGHT, 10.0, np.maximum(0.0, _ROOM - room) * 8.0)
     for direction in avoided:
-        cost += np.where(np.abs(_wrap(_DIRECTIONS - direction)) < math.radians(35), 3.0, 0.0)
+        cost += 3.0 * (np.abs(_wrap(_DIRECTIONS - direction)) < math.radians(35))
     if previous is not None:
-        cost = cost + np.where(np.abs(_wrap(_DIRECTIONS - previous)) < math.radians(6), 0.0, _AVERSION)
+        cost += _AVERSION * (np.abs(_wrap(_DIRECTIONS - previous)) >= math.radians(6))
     return wrap_angle(float(_DIRECTIONS[cost.argmin()]))
 
 

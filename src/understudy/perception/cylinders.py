@@ -48,18 +48,17 @@ def find_cylinders(scan: Scan, laser_x: float) -> list[Cylinder]:
     """
     # Unusable rays (NaN) count as free, like those that meet nothing.
     reaches = np.fmin(scan.ranges, np.float32(scan.range_max))
-    jumps = reaches[1:] - reaches[:-1]
     # A group ends where the range jumps; the first and the last ray of the sweep close groups, too.
-    edges = (np.abs(jumps) > _JUMP).nonzero()[0].tolist()
-    ranges, steps = reaches.tolist(), jumps.tolist()
+    edges = (np.abs(reaches[1:] - reaches[:-1]) > _JUMP).nonzero()[0].tolist()
+    ranges = reaches.tolist()
     last = len(ranges) - 1
     directions = _directions(len(ranges), scan.angle_min, scan.angle_increment)
     cylinders: list[Cylinder] = []
     next_start = 0
     for end in (*edges, last):
         start, next_start = next_start, end + 1
-        nearer_than_right = start == 0 or steps[start - 1] < 0
-        nearer_than_left = end == last or steps[end] > 0
+        nearer_than_right = start == 0 or ranges[start] < ranges[start - 1]
+        nearer_than_left = end == last or ranges[end] < ranges[end + 1]
         if not (nearer_than_left and nearer_than_right) or (start == 0 and end == last):
             continue
         # A wall that runs past the robot is near at one end only: from end to end it is wide.

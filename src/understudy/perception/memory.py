@@ -58,6 +58,8 @@ class Track:
     @property
     def color(self) -> Color:
         """The one it was seen in most often."""
+        if len(self.votes) == 1:  # as nearly always
+            return next(iter(self.votes))
         return max(self.votes, key=self.votes.__getitem__)
 
 

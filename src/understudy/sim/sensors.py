@@ -37,7 +37,6 @@ class _Fan:
         self._local = np.stack([np.cos(directions), np.sin(directions)], axis=1)
         self._origin = np.array([0.0, 0.0, height])
         self._turned = np.zeros((2, 3))
-        self._turn = self._turned[:, :2]
         self._directions = np.zeros((rays, 3))
         self._flat = self._directions.reshape(-1)
         self._geoms = np.zeros(rays, np.int32)
@@ -46,14 +45,17 @@ class _Fan:
 
     def cast(self, pose: Pose, reach: float) -> NDArray[np.float64]:
         """Metres to what each ray meets, negative where it meets nothing; the array is reused."""
-        self._origin[:2] = pose.to_parent(self._at)
+        # Number by number: handing tuples over to NumPy costs more.
+        origin, turned = self._origin, self._turned
+        origin[0], origin[1] = pose.to_parent(self._at)
         c, s = math.cos(pose.heading), math.sin(pose.heading)
-        self._turn[:] = (c, s), (-s, c)
-        np.dot(self._local, self._turned, out=self._directions)
+        turned[0, 0], turned[0, 1] = c, s
+        turned[1, 0], turned[1, 1] = -s, c
+        np.dot(self._local, turned, out=self._directions)
         mujoco.mj_multiRay(
             self._model,
             self._data,
-            self._origin,
+            origin,
             self._flat,
             self._groups,
             1,
@@ -180,10 +182,10 @@ class GripperSensor:
 
     def _beam_broken(self, pose: Pose, start: Point, opening: float, lift: float) -> bool:
         """The truth about the beam, which begins at ``start`` in the robot's frame, on the left paddle."""
-        x, y = pose.to_parent(start)
         origin, across = self._origin, self._across
-        origin[:] = x, y, GRIPPER_HEIGHT_M + lift
-        across[:2] = math.sin(pose.heading), -math.cos(pose.heading)
+        origin[0], origin[1] = pose.to_parent(start)
+        origin[2] = GRIPPER_HEIGHT_M + lift
+        across[0], across[1] = math.sin(pose.heading), -math.cos(pose.heading)
         met = mujoco.mj_ray(
             self._model, self._data, origin, across, self._groups, 1, self._body.index.body, self._geom, None
         )
