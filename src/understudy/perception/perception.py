@@ -231,6 +231,8 @@ class Perception:
 
         Of two targets that stand nearly behind each other, the far one must not lend its color to the near one.
         """
+        if not blobs or not cylinders:
+            return []
         edges = [self._bearings(blob) for blob in blobs]
         pairs = [
             (unlike, i, j)

@@ -122,12 +122,16 @@ class RobotBody:
         """How high the gripper is above its lowest place, metres."""
         return float(self._qpos[self.index.lift])
 
+    @property
+    def clamped(self) -> bool:
+        """Whether the paddles are told to close, and are apart: on a box, or still on their way."""
+        return not self._open and sum(self.paddles) >= _CLOSED * self._gripper.opening
+
     def grips(self, box: Point) -> bool:
         """Whether a box with its centre at this place of the arena is clamped between the closed paddles."""
-        gripper = self._gripper
-        left, right = self.paddles
-        if self._open or left + right < _CLOSED * gripper.opening:
+        if not self.clamped:
             return False
+        gripper = self._gripper
         local = self.pose.to_local(box)
         return gripper.x_back < local.x < gripper.x_front + 0.04 and abs(local.y) < gripper.opening / 2
 
