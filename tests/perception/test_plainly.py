@@ -23,8 +23,8 @@ poses = st.builds(Pose, coordinates, coordinates, st.floats(-math.pi, math.pi))
 # A step of 0.25 m now and then, so that groups of rays of any length come about.
 readings = st.sampled_from([0.5, 1.0, 1.05, 1.1, 1.25, 2.0, 2.1, 7.9, 8.0, 8.5, math.inf, math.nan])
 sweeps = st.builds(
-    lambda pieces: [reading for reading, rays in pieces for _ in range(rays)],
-    st.lists(st.tuples(readings, st.integers(1, 30)), min_size=1, max_size=20),
+    lambda pieces: [reading + slant * ray for reading, rays, slant in pieces for ray in range(rays)],
+    st.lists(st.tuples(readings, st.integers(1, 30), st.sampled_from([0.0, 0.15])), min_size=1, max_size=20),
 )
 
 

@@ -131,6 +131,13 @@ def test_a_turned_box_covers_what_its_corners_span(place: tuple[float, float], h
     assert (seen & (span > 0)).sum() >= 0.9 * (seen | (span > 0)).sum()
 
 
+def test_a_box_is_brightest_on_top() -> None:
+    image = picture(boxes=[{"color": "orange", "at": [2.0, 2.9]}])
+    rows, columns = np.nonzero(mask(image, Color.ORANGE))
+    light = image[rows, columns].sum(axis=-1)
+    assert rows[light == light.max()].max() < rows[light < light.max()].min() + 2
+
+
 def row_of(place: Point, height: float) -> float:
     """Of a point before the camera, whichever its direction."""
     ahead, up = place.x - CAMERA.x, height - CAMERA.height
