@@ -8,6 +8,7 @@ import os
 import platform
 
 os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")  # as the command line has it
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # NumPy's: "on one core" is to mean it
 
 from benchmarks import control_loop, learning_links, recordings, startup, ticks
 

@@ -1,6 +1,7 @@
 """Planar geometry in metres and radians, axes as in REP 103: x forward, y left, angles counter-clockwise."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -68,6 +69,11 @@ class Pose:
         c, s = math.cos(self.heading), math.sin(self.heading)
         dx, dy = parent.x - self.x, parent.y - self.y
         return Point(c * dx + s * dy, -s * dx + c * dy)
+
+    def to_locals(self, parents: Iterable[tuple[float, float]]) -> list[Point]:
+        """:meth:`to_local` for many points: the heading's cosine and sine are taken once."""
+        c, s, x, y = math.cos(self.heading), math.sin(self.heading), self.x, self.y
+        return [Point(c * (px - x) + s * (py - y), -s * (px - x) + c * (py - y)) for px, py in parents]
 
     def moved(self, forward: float, turn: float) -> "Pose":
         """The pose after driving ``forward`` metres along an arc that turns by ``turn`` radians."""

@@ -3,14 +3,18 @@
 import math
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from tests.sim.support import QUIET, make_world, simulate
 from understudy.geometry import Point, Pose
 from understudy.robot import PIONEER, RGB, Color
 from understudy.sim import Simulation
+from understudy.sim.lens import Lens
 
 CAMERA = PIONEER.camera
 
@@ -113,6 +117,39 @@ def test_a_box_shows_its_top_at_the_right_rows() -> None:
     rows, _ = np.nonzero(mask(picture(boxes=[{"color": "yellow", "at": [2.0, 3.0]}]), Color.YELLOW))
     assert rows.max() == pytest.approx(row(1.0 - 0.045, 0.0), abs=1.5)
     assert rows.min() == pytest.approx(row(1.0 + 0.045, 0.10), abs=1.5)
+
+
+@pytest.mark.parametrize("heading_deg", [0, 20, 45, 130, -75])
+@pytest.mark.parametrize("place", [(2.0, 2.9), (2.3, 3.3), (1.8, 2.7)])
+def test_a_turned_box_covers_what_its_corners_span(place: tuple[float, float], heading_deg: float) -> None:
+    seen = mask(picture(boxes=[{"color": "orange", "at": list(place), "heading_deg": heading_deg}]), Color.ORANGE)
+    box, eye = Pose(*place, math.radians(heading_deg)), Pose(2.0, 2.0, math.pi / 2)
+    corners = [eye.to_local(box.to_parent(Point(x, y))) for x in (-0.045, 0.045) for y in (-0.045, 0.045)]
+    pixels = [(column(corner, height), row_of(corner, height)) for corner in corners for height in (0.0, 0.10)]
+    span = np.zeros(seen.shape, np.uint8)
+    cv2.fillConvexPoly(span, cv2.convexHull(np.rint(pixels).astype(np.int32)), 1)
+    assert (seen & (span > 0)).sum() >= 0.9 * (seen | (span > 0)).sum()
+
+
+def test_a_box_is_brightest_on_top() -> None:
+    image = picture(boxes=[{"color": "orange", "at": [2.0, 2.9]}])
+    rows, columns = np.nonzero(mask(image, Color.ORANGE))
+    light = image[rows, columns].sum(axis=-1)
+    assert rows[light == light.max()].max() < rows[light < light.max()].min() + 2
+
+
+def row_of(place: Point, height: float) -> float:
+    """Of a point before the camera, whichever its direction."""
+    ahead, up = place.x - CAMERA.x, height - CAMERA.height
+    depth = ahead * math.cos(CAMERA.tilt) - up * math.sin(CAMERA.tilt)
+    down = -ahead * math.sin(CAMERA.tilt) - up * math.cos(CAMERA.tilt)
+    return CAMERA.rows / 2 - 0.5 + down / depth * CAMERA.focal_px
+
+
+@given(st.lists(st.tuples(st.floats(0.2, 9.0), st.floats(-5, 5))), st.floats(0.0, 0.6))
+def test_many_pixels_go_the_way_of_one(places: list[tuple[float, float]], height: float) -> None:
+    lens = Lens(CAMERA)
+    assert lens.pixels_at(places, height) == [lens.pixel(*place, height) for place in places]
 
 
 def test_the_teacher_fills_the_picture_to_its_upper_edge() -> None:

@@ -70,10 +70,10 @@ class Avoid:
             aim_radius: its radius.
         """
         reach = self.settings.look_ahead if aim is None else min(self.settings.look_ahead, aim.distance)
-        matters = _within(obstacles, Point(0.0, 0.0), reach + self.settings.corridor)
+        near = _around_robot(obstacles, reach + self.settings.corridor)
         if aim is not None:
-            matters &= ~_within(obstacles, aim, aim_radius + 0.12)
-        bearing = self._free_bearing(head.bearing, obstacles[matters], reach)
+            near = near.T.compress(~_within(near, aim, aim_radius + 0.12), axis=1).T
+        bearing = self._free_bearing(head.bearing, near, reach)
         if bearing is None:
             return Drive(angular=math.copysign(min(0.6, head.turn), head.bearing))
         angular = max(-head.turn, min(head.turn, 2.0 * bearing))
@@ -109,7 +109,7 @@ class Avoid:
         """
         # The alternatives tried below are slow; farther points cannot matter within the horizon.
         limit = self._reach + self.settings.margin + max(0.12, abs(drive.linear)) * self.settings.horizon
-        near = obstacles[_within(obstacles, Point(0.0, 0.0), limit)]
+        near = _around_robot(obstacles, limit)
         if not len(near):
             return drive, False
         # What is within the margin already may stay there, but not come nearer.
@@ -142,7 +142,7 @@ class Avoid:
         cos, sin = np.cos(turns)[:, None], np.sin(turns)[:, None]
         x = points[:, 0] - (forward * np.cos(turns / 2))[:, None]
         y = points[:, 1] - (forward * np.sin(turns / 2))[:, None]
-        return bool((self._clearance(cos * x + sin * y, cos * y - sin * x) >= margins).all())
+        return bool(np.logical_and.reduce(self._clearance(cos * x + sin * y, cos * y - sin * x) >= margins, axis=None))
 
     def _clearance(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
         """Distance of points from the robot's outline, a rectangle; negative inside."""
@@ -152,6 +152,14 @@ class Avoid:
         beyond = np.hypot(np.maximum(dx, 0), np.maximum(dy, 0))
         clearance: NDArray[np.float64] = beyond + np.minimum(np.maximum(dx, dy), 0)
         return clearance
+
+
+def _around_robot(points: Points, radius: float) -> Points:
+    """Those near the robot's turning point, column by column in memory: x and y are always taken apart."""
+    x, y = points.T
+    inside = (x * x + y * y < radius * radius).nonzero()[0]
+    near: Points = points.T.take(inside, axis=1).T
+    return near
 
 
 def _within(points: Points, center: Point, radius: float) -> NDArray[np.bool_]:

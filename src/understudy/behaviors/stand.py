@@ -74,20 +74,26 @@ def choose_direction(
     final = _wrap(directions + math.pi - bearing)
     cost = away + 0.35 * np.abs(travel) * np.minimum(1.0, away / 0.3) + 0.70 * np.abs(_wrap(final - travel))
     # The way leads past the target itself: how near does the straight line come to its middle?
-    along = np.clip((target.x * x + target.y * y) / np.maximum(away, 1e-6) ** 2, 0.0, 1.0)
+    along = (target.x * x + target.y * y) / np.maximum(away, 1e-6) ** 2
+    along = np.minimum(np.maximum(along, 0.0), 1.0)
     gap = np.hypot(target.x - along * x, target.y - along * y)
-    cost += np.where(gap < min(distance, radius + 0.33) - 0.02, 1.0, 0.0)
+    cost += gap < min(distance, radius + 0.33) - 0.02
     # Only what stands near the circle matters, and that is little of what the laser meets.
-    apart = np.square(obstacles[:, 0] - target.x) + np.square(obstacles[:, 1] - target.y)
-    others = obstacles[(apart > (radius + 0.12) ** 2) & (apart < (distance + _ROOM) ** 2)]
+    met_x, met_y = obstacles.T
+    apart = np.square(met_x - target.x) + np.square(met_y - target.y)
+    others = ((apart > (radius + 0.12) ** 2) & (apart < (distance + _ROOM) ** 2)).nonzero()[0]
     if len(others):
-        squares = np.square(others[:, 0, None] - x) + np.square(others[:, 1, None] - y)
-        room = np.sqrt(squares.min(axis=0))
+        # One row a direction; in place, since these are the largest arrays of a tick.
+        squares, across = met_x.take(others) - x[:, None], met_y.take(others) - y[:, None]
+        squares *= squares
+        across *= across
+        squares += across
+        room = np.sqrt(np.minimum.reduce(squares, axis=1))
         cost += np.where(room < _TIGHT, 10.0, np.maximum(0.0, _ROOM - room) * 8.0)
     for direction in avoided:
-        cost += np.where(np.abs(_wrap(_DIRECTIONS - direction)) < math.radians(35), 3.0, 0.0)
+        cost += 3.0 * (np.abs(_wrap(_DIRECTIONS - direction)) < math.radians(35))
     if previous is not None:
-        cost = cost + np.where(np.abs(_wrap(_DIRECTIONS - previous)) < math.radians(6), 0.0, _AVERSION)
+        cost += _AVERSION * (np.abs(_wrap(_DIRECTIONS - previous)) >= math.radians(6))
     return wrap_angle(float(_DIRECTIONS[cost.argmin()]))
 
 

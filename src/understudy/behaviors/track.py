@@ -27,13 +27,13 @@ class AbstractTrack:
     maintaining = False
 
     def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
-        return any(
-            thing.sensed
-            and abs(thing.distance_m - parameters["distance_m"]) <= DISTANCE.tolerance
-            and abs(thing.angle_deg - parameters["angle_deg"]) <= ANGLE.tolerance
-            for thing in percepts.targets
-            if thing.color == parameters["color"]
-        )
+        color, distance, angle = parameters["color"], parameters["distance_m"], parameters["angle_deg"]
+        for thing in percepts.targets:
+            if thing.color == color and thing.sensed:
+                near = abs(thing.distance_m - distance) <= DISTANCE.tolerance
+                if near and abs(thing.angle_deg - angle) <= ANGLE.tolerance:
+                    return True
+        return False
 
     def precondition(self, percepts: Percepts, parameters: Parameters) -> bool:
         return percepts.nearest_target(parameters["color"]) is not None

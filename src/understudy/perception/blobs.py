@@ -11,6 +11,8 @@ from understudy.robot import Color
 
 __all__ = ["Blob", "find_blobs"]
 
+_CLASSES = len(COLOR_CLASSES) + 1
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Blob:
@@ -42,20 +44,24 @@ def find_blobs(image: NDArray[np.uint8], *, min_area: int = 12) -> list[Blob]:
     if not width:
         return []
     crop = classes[y : y + height, x : x + width]
-    counts = np.bincount(crop.reshape(-1), minlength=len(COLOR_CLASSES) + 1).tolist()
+    counts = cv2.calcHist([crop], [0], None, [_CLASSES], [0, _CLASSES]).reshape(-1).tolist()
     blobs: list[Blob] = []
     for index, color in enumerate(COLOR_CLASSES, start=1):
         if counts[index] >= min_area:
-            blobs += _components(crop == index, color, x, y, min_area)
+            blobs += _components(crop == index, int(counts[index]), color, x, y, min_area)
     return blobs
 
 
-def _components(mask: NDArray[np.bool_], color: Color, x: int, y: int, min_area: int) -> list[Blob]:
-    """The connected patches of a mask whose upper left corner is at column ``x``, row ``y`` of the image."""
+def _components(mask: NDArray[np.bool_], count: int, color: Color, x: int, y: int, min_area: int) -> list[Blob]:
+    """The connected patches of a mask of ``count`` pixels, whose upper left corner is at column ``x``, row ``y``."""
     patches = mask.view(np.uint8)
     left_most, top_most, width, height = cv2.boundingRect(patches)
     patches = patches[top_most : top_most + height, left_most : left_most + width]
     x, y = x + left_most, y + top_most
+    labels, _ = cv2.connectedComponents(patches, connectivity=8)
+    if labels == 2:
+        # All of it is one patch, as nearly always: its measures are known, and measuring costs more than labelling.
+        return [Blob(color=color, left=x, right=x + width - 1, top=y, bottom=y + height - 1, area=count)]
     _, _, stats, _ = cv2.connectedComponentsWithStats(patches, connectivity=8)
     found = [
         Blob(color=color, left=x + left, right=x + left + across - 1, top=y + top, bottom=y + top + down - 1, area=area)

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -47,24 +48,28 @@ def find_cylinders(scan: Scan, laser_x: float) -> list[Cylinder]:
     """
     # Unusable rays (NaN) count as free, like those that meet nothing.
     reaches = np.fmin(scan.ranges, np.float32(scan.range_max))
-    jumps = reaches[1:] - reaches[:-1]
     # A group ends where the range jumps; the first and the last ray of the sweep close groups, too.
-    edges = (np.abs(jumps) > _JUMP).nonzero()[0].tolist()
-    ranges, steps = reaches.tolist(), jumps.tolist()
+    edges = (np.abs(reaches[1:] - reaches[:-1]) > _JUMP).nonzero()[0].tolist()
+    ranges = reaches.tolist()
     last = len(ranges) - 1
+    directions = _directions(len(ranges), scan.angle_min, scan.angle_increment)
     cylinders: list[Cylinder] = []
-    for start, end in zip([0, *(edge + 1 for edge in edges)], [*edges, last], strict=True):
-        nearer_than_right = start == 0 or steps[start - 1] < 0
-        nearer_than_left = end == last or steps[end] > 0
+    next_start = 0
+    for end in (*edges, last):
+        start, next_start = next_start, end + 1
+        nearer_than_right = start == 0 or ranges[start] < ranges[start - 1]
+        nearer_than_left = end == last or ranges[end] < ranges[end + 1]
         if not (nearer_than_left and nearer_than_right) or (start == 0 and end == last):
+            continue
+        # A wall that runs past the robot is near at one end only: from end to end it is wide.
+        (cos, sin), (end_cos, end_sin) = directions[start], directions[end]
+        across = ranges[end] * end_cos - ranges[start] * cos, ranges[end] * end_sin - ranges[start] * sin
+        if math.hypot(*across) > _MAX_WIDTH:
             continue
         near = min(ranges[start : end + 1])
         rays = end - start + 1
         width = near * rays * scan.angle_increment
         if near >= scan.range_max or width > _MAX_WIDTH:
-            continue
-        # A wall that runs past the robot is near at one end only: from end to end it is wide.
-        if math.dist(_polar(ranges[start], start, scan), _polar(ranges[end], end, scan)) > _MAX_WIDTH:
             continue
         radius = max(_MIN_RADIUS, width / 2)
         bearing = scan.angle_min + (start + end) / 2 * scan.angle_increment
@@ -77,6 +82,8 @@ def find_cylinders(scan: Scan, laser_x: float) -> list[Cylinder]:
     return cylinders
 
 
-def _polar(reach: float, index: int, scan: Scan) -> tuple[float, float]:
-    bearing = scan.angle_min + index * scan.angle_increment
-    return reach * math.cos(bearing), reach * math.sin(bearing)
+@lru_cache(maxsize=8)
+def _directions(rays: int, angle_min: float, angle_increment: float) -> list[tuple[float, float]]:
+    """Cosine and sine of the bearing of each ray of a sweep."""
+    bearings = [angle_min + index * angle_increment for index in range(rays)]
+    return [(math.cos(bearing), math.sin(bearing)) for bearing in bearings]

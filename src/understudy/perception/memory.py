@@ -58,6 +58,8 @@ class Track:
     @property
     def color(self) -> Color:
         """The one it was seen in most often."""
+        if len(self.votes) == 1:  # as nearly always
+            return next(iter(self.votes))
         return max(self.votes, key=self.votes.__getitem__)
 
 
@@ -145,17 +147,19 @@ class Memory:
 
     def things(self, time_s: float, pose: Pose) -> list[Thing]:
         """The believed things in the robot's frame, nearest first."""
+        believed = [track for track in self.tracks if track.believed]
+        if not believed:
+            return []
         found = [
             Thing(
                 id=track.id,
                 color=track.color,
-                position=pose.to_local(track.place),
+                position=position,
                 radius=track.radius,
                 sensed=track.seen_s == time_s,
                 seen_s=track.seen_s,
                 followed=track.followed,
             )
-            for track in self.tracks
-            if track.believed
+            for track, position in zip(believed, pose.to_locals(track.place for track in believed), strict=True)
         ]
         return sorted(found, key=lambda thing: (thing.distance_m, thing.id))

@@ -97,6 +97,12 @@ class Perception:
         self.landmarks = LandmarkMemory(attention.colors)
         self.doorways = DoorwayMemory(attention.doorways)
         self._before: Observation | None = None
+        # Of the sonars: where the laser is blind, a mount's place and direction.
+        self._blind = [
+            (number, mount.x, mount.y, math.cos(mount.heading), math.sin(mount.heading))
+            for number, mount in enumerate(spec.sonar_poses)
+            if abs(mount.heading) > _LASER_HALF_FIELD
+        ]
 
     def update(self, observation: Observation) -> Percepts:
         """The percepts of one observation.
@@ -225,11 +231,14 @@ class Perception:
 
         Of two targets that stand nearly behind each other, the far one must not lend its color to the near one.
         """
+        if not blobs or not cylinders:
+            return []
+        edges = [self._bearings(blob) for blob in blobs]
         pairs = [
             (unlike, i, j)
             for i, blob in enumerate(blobs)
             for j, cylinder in enumerate(cylinders)
-            if (unlike := self._unlikeness(blob, cylinder)) is not None
+            if (unlike := self._unlikeness(blob, *edges[i], cylinder)) is not None
         ]
         matched: dict[int, int] = {}
         for _, i, j in sorted(pairs):
@@ -237,11 +246,16 @@ class Perception:
                 matched[i] = j
         return [(blobs[i], cylinders[j]) for i, j in sorted(matched.items())]
 
-    def _unlikeness(self, blob: Blob, cylinder: Cylinder) -> float | None:
-        """How little a blob looks like an object that the laser met; None if it cannot be that one."""
-        camera = self.spec.camera
+    def _bearings(self, blob: Blob) -> tuple[float, float]:
+        """Of a blob's left and right edge."""
         row = (blob.top + blob.bottom) / 2
-        left, right = self.projection.bearing(blob.left - 0.5, row), self.projection.bearing(blob.right + 0.5, row)
+        return self.projection.bearing(blob.left - 0.5, row), self.projection.bearing(blob.right + 0.5, row)
+
+    def _unlikeness(self, blob: Blob, left: float, right: float, cylinder: Cylinder) -> float | None:
+        """How little a blob, between two bearings, looks like an object that the laser met; None if it cannot be that
+        one.
+        """
+        camera = self.spec.camera
         # Seen from the camera, whose place differs a little from the laser's.
         ahead, beside = cylinder.center.x - camera.x, cylinder.center.y
         bearing, away = math.atan2(beside, ahead), math.hypot(ahead, beside)
@@ -249,9 +263,11 @@ class Perception:
         cut_left, cut_right = blob.left <= 0, blob.right >= camera.width - 1
         # Where the picture ends, the middle of the object may lie beyond its border.
         outside = max(0.0, bearing - left - half * cut_left, right - half * cut_right - bearing)
+        if outside > _BEARING_SLACK:
+            return None
         ratio = math.log((blob.right - blob.left + 1) / (2 * cylinder.radius * camera.focal_px / away))
         unlike = _CUT if (cut_left or cut_right) and ratio < 0 else abs(ratio)
-        if outside > _BEARING_SLACK or unlike > _UNLIKE or not self._stands_there(blob, away):
+        if unlike > _UNLIKE or not self._stands_there(blob, away):
             return None
         return unlike + 0.5 * outside / _BEARING_SLACK
 
@@ -281,13 +297,18 @@ class Perception:
         """Follows believed things by the laser alone, beyond the camera's field (Figure 3.9)."""
         free = list(cylinders)
         for memory in (self.people, self.targets):
-            for track in memory.tracks:
-                here = pose.to_local(track.place)
-                gate = self.settings.laser_gate if memory is self.targets else memory.settings.gate_m
-                near = min(((c.center.distance_to(here), i) for i, c in enumerate(free)), default=(math.inf, 0))
-                if near[0] > gate:
+            gate = self.settings.laser_gate if memory is self.targets else memory.settings.gate_m
+            for track, (x, y) in zip(
+                memory.tracks, pose.to_locals(track.place for track in memory.tracks), strict=True
+            ):
+                nearest, index = math.inf, 0
+                for i, cylinder in enumerate(free):
+                    away = math.hypot(x - cylinder.center.x, y - cylinder.center.y)
+                    if away < nearest:
+                        nearest, index = away, i
+                if nearest > gate:
                     continue
-                met = free.pop(near[1])
+                met = free.pop(index)
                 if track.believed and track.seen_s < time_s:
                     memory.felt(track, time_s, pose, met.center, met.radius, whole=not met.cut)
 
@@ -337,12 +358,14 @@ class Perception:
     def _obstacles(self, observation: Observation, targets: list[Thing]) -> NDArray[np.float64]:
         scan = _filled(observation.scan)
         directions = _directions(len(scan.ranges), scan.angle_min, scan.angle_increment)
-        met = scan.ranges < scan.range_max  # inf is not
-        laser: NDArray[np.float64]
-        laser = directions * scan.ranges[:, None] if met.all() else directions[met] * scan.ranges[met, None]
-        laser[:, 0] += self.spec.laser.x
+        met = (scan.ranges < scan.range_max).nonzero()[0]  # inf is not
+        # Column by column: whoever reads the points takes all x, or all y.
+        columns = directions.take(met, axis=1) * scan.ranges.take(met)
+        columns[0] += self.spec.laser.x
         others = self._beside_and_behind(observation, targets)
-        return np.concatenate((laser, *others)) if others else laser
+        if others:
+            columns = np.concatenate((columns, *(points.T for points in others)), axis=1)
+        return columns.T
 
     def _beside_and_behind(self, observation: Observation, targets: list[Thing]) -> list[NDArray[np.float64]]:
         """Where the laser is blind, the sonars' echoes and the remembered targets stand in for it."""
@@ -352,10 +375,11 @@ class Perception:
             if not thing.sensed and thing.distance_m < _NEAR
         ]
         # The laser sees the front better; a sonar's far echo may come from anywhere in its cone.
+        distances = observation.sonar.tolist()
         echoes = [
-            (mount.x + distance * math.cos(mount.heading), mount.y + distance * math.sin(mount.heading))
-            for mount, distance in zip(self.spec.sonar_poses, observation.sonar.tolist(), strict=False)
-            if distance < _NEAR and abs(mount.heading) > _LASER_HALF_FIELD
+            (x + distances[number] * cos, y + distances[number] * sin)
+            for number, x, y, cos, sin in self._blind
+            if number < len(distances) and distances[number] < _NEAR
         ]
         return [*found, np.array(echoes)] if echoes else found
 
@@ -375,6 +399,6 @@ def _filled(scan: Scan) -> Scan:
 
 @lru_cache(maxsize=8)
 def _directions(rays: int, angle_min: float, angle_increment: float) -> NDArray[np.float64]:
-    """Unit vectors of a sweep's rays, shape ``(rays, 2)``."""
+    """Unit vectors of a sweep's rays, shape ``(2, rays)``."""
     angles = angle_min + angle_increment * np.arange(rays)
-    return np.column_stack((np.cos(angles), np.sin(angles)))
+    return np.stack((np.cos(angles), np.sin(angles)))

@@ -36,8 +36,8 @@ class Scan:
     @property
     def unusable(self) -> int:
         """How many rays gave no reading."""
-        # The least of numbers is NaN if any of them is, which is quicker told than counted.
-        if not self.ranges.size or not math.isnan(self.ranges.min()):
+        # A sum of squares is NaN if any of the numbers is, which is quicker told than counted.
+        if not math.isnan(self.ranges.dot(self.ranges)):
             return 0
         return int(np.isnan(self.ranges).sum())
 

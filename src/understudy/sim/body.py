@@ -78,6 +78,7 @@ class RobotBody:
         """Servo targets at the beginning and at the end of the coming period, within the spec's limits."""
         spec, gripper, dt = self.spec, self._gripper, CONTROL_PERIOD_S
         begin = self._servos
+        driving, turning, _, opened, lifted = begin.tolist()
         linear = min(spec.max_linear, max(-spec.max_linear, self.command.linear))
         angular = min(spec.max_angular, max(-spec.max_angular, self.command.angular))
         travel, height = gripper.opening / 2, gripper.lift_height
@@ -85,11 +86,11 @@ class RobotBody:
         lift = height - _SHY_M if self._raised else _SHY_M
         end = np.array(
             [
-                _toward(begin[0], linear, spec.max_linear_acceleration * dt),
-                _toward(begin[1], angular, spec.max_angular_acceleration * dt),
+                _toward(driving, linear, spec.max_linear_acceleration * dt),
+                _toward(turning, angular, spec.max_angular_acceleration * dt),
                 0.0,
-                _toward(begin[3], paddles, travel / _PADDLE_TRAVEL_S * dt),
-                _toward(begin[4], lift, height / _LIFT_TRAVEL_S * dt),
+                _toward(opened, paddles, travel / _PADDLE_TRAVEL_S * dt),
+                _toward(lifted, lift, height / _LIFT_TRAVEL_S * dt),
             ]
         )
         self._servos = end
@@ -121,12 +122,16 @@ class RobotBody:
         """How high the gripper is above its lowest place, metres."""
         return float(self._qpos[self.index.lift])
 
+    @property
+    def clamped(self) -> bool:
+        """Whether the paddles are told to close, and are apart: on a box, or still on their way."""
+        return not self._open and sum(self.paddles) >= _CLOSED * self._gripper.opening
+
     def grips(self, box: Point) -> bool:
         """Whether a box with its centre at this place of the arena is clamped between the closed paddles."""
-        gripper = self._gripper
-        left, right = self.paddles
-        if self._open or left + right < _CLOSED * gripper.opening:
+        if not self.clamped:
             return False
+        gripper = self._gripper
         local = self.pose.to_local(box)
         return gripper.x_back < local.x < gripper.x_front + 0.04 and abs(local.y) < gripper.opening / 2
 

@@ -38,7 +38,8 @@ _GAIN_LEVELS = 16
 _STRIPS = 6
 """Around the visible half of a cylinder: enough for a round shading."""
 _RIM = [1.0 - 2.0 * j / _STRIPS for j in range(_STRIPS + 1)]
-"""The visible rim from left to right, as shares of the half arc."""
+_MIDDLES = [1.0 - (2 * j + 1) / _STRIPS for j in range(_STRIPS)]
+"""The visible rim from left to right, and the strips' middles, as shares of the half arc."""
 _AROUND = np.linspace(0.0, math.tau, 16, endpoint=False)
 _LID = np.stack([np.cos(_AROUND), np.sin(_AROUND)], axis=1)
 
@@ -58,6 +59,13 @@ class Camera:
         self._mount: CameraMount = body.spec.camera
         self._lens = Lens(self._mount)
         self._widest = self._mount.field / 2 + math.radians(6)  # the tilt widens the field in the lower corners
+        self._slope = math.tan(self._widest)
+        self._corners = [wall.start for wall in scenery.arena_walls]
+        # Everything but the camera's own robot.
+        self._prisms, self._cylinders = (
+            [i for i, owner in enumerate(things.owners) if owner != body.index.body]
+            for things in (scenery.prisms, scenery.cylinders)
+        )
         levels = range(-_GAIN_LEVELS, _GAIN_LEVELS + 1)
         self._gains = [1.0 + 3.0 * noise.illumination * level / _GAIN_LEVELS for level in levels]
         self._backgrounds = [_background(self._mount, gain) for gain in self._gains]
@@ -77,14 +85,13 @@ class Camera:
         return self._grain.on(image)
 
     def _draw_walls(self, image: Image, eye: Pose, gain: float) -> None:
-        pixel, slope = self._lens.pixel, math.tan(self._widest)
-        ends = [eye.to_local(wall.start) for wall in self._scenery.arena_walls]
+        ends = eye.to_locals(self._corners)
         for wall, start, end in zip(self._scenery.arena_walls, ends, ends[1:] + ends[:1], strict=True):
-            seen = _between_sight_lines(start, end, slope)
+            seen = _between_sight_lines(start, end, self._slope)
             if seen is not None:
-                (f1, l1), (f2, l2) = seen
-                face = (pixel(f1, l1, 0.0), pixel(f2, l2, 0.0), pixel(f2, l2, wall.height), pixel(f1, l1, wall.height))
-                cv2.fillConvexPoly(image, np.array(face, np.int32), _lit(wall.paint, gain * wall.shade))
+                low, high = self._lens.pixels_at(seen, 0.0), self._lens.pixels_at(seen, wall.height)
+                face = np.array((*low, *reversed(high)), np.int32)
+                cv2.fillConvexPoly(image, face, _lit(wall.paint, gain * wall.shade))
 
     def _fill(self, image: Image, face: Floats, paint: Paint) -> None:
         """Fills one flat face, given in the camera, cut off at the near plane."""
@@ -95,30 +102,29 @@ class Camera:
         cv2.fillConvexPoly(image, self._lens.pixels(face), paint)
 
     def _draw_things(self, image: Image, eye: Pose, gain: float) -> None:
-        self._scenery.refresh()
         prisms, cylinders = self._scenery.prisms, self._scenery.cylinders
-        jobs = [(*seen, True) for seen in self._in_field(prisms, eye)]
-        jobs += [(*seen, False) for seen in self._in_field(cylinders, eye)]
+        jobs = [(*seen, True) for seen in self._in_field(prisms, self._prisms, eye)]
+        jobs += [(*seen, False) for seen in self._in_field(cylinders, self._cylinders, eye)]
         for away, i, place, is_prism in sorted(jobs, reverse=True):
             if is_prism:
-                self._draw_prism(image, prisms, i, eye, gain)
+                self._draw_prism(image, prisms, i, place, eye, gain)
             elif away > cylinders.radii[i]:
                 self._draw_cylinder(image, cylinders, i, place, heading=eye.heading, gain=gain)
 
-    def _in_field(self, things: Prisms | Cylinders, eye: Pose) -> list[tuple[float, int, Point]]:
-        """Distance, index and place in the view of what may be in the picture, the camera's own robot left out."""
+    def _in_field(self, things: Prisms | Cylinders, which: list[int], eye: Pose) -> list[tuple[float, int, Point]]:
+        """Distance, index and place in the view of those things that may be in the picture."""
+        if not which:
+            return []
         found = []
-        own = self._body.index.body
         c, s = math.cos(eye.heading), math.sin(eye.heading)
-        for i, (x, y, _) in enumerate(things.centres.tolist()):
-            if things.owners[i] == own:
-                continue
-            dx, dy = x - eye.x, y - eye.y
-            place = Point(c * dx + s * dy, c * dy - s * dx)
-            away, radius = place.distance, things.radii[i]
+        centres = things.centres()
+        for i in which:
+            dx, dy = centres[i][0] - eye.x, centres[i][1] - eye.y
+            forward, left = c * dx + s * dy, c * dy - s * dx
+            away, radius = math.hypot(forward, left), things.radii[i]
             half_angle = math.asin(radius / away) if away > radius else math.pi
-            if abs(place.bearing) - half_angle <= self._widest:
-                found.append((away, i, place))
+            if abs(math.atan2(left, forward)) - half_angle <= self._widest:
+                found.append((away, i, Point(forward, left)))
         return found
 
     def _draw_cylinder(
@@ -134,49 +140,39 @@ class Camera:
         # What lies above the picture's upper edge need not be drawn, and would be behind the tilted lens when near.
         upper = min(top, self._mount.height + (away + radius) * math.tan(math.radians(10)))
         toward, half_arc = math.atan2(-place.y, -place.x), math.acos(radius / away)
-        pixel = self._lens.pixel
-        corners: list[tuple[int, int]] = []
-        for j, share in enumerate(_RIM):
+        rim = []
+        for share in _RIM:
             angle = toward + half_arc * share
-            forward = max(NEAR_M, place.x + radius * math.cos(angle))
-            left = place.y + radius * math.sin(angle)
-            low, high = pixel(forward, left, bottom), pixel(forward, left, upper)
+            rim.append((max(NEAR_M, place.x + radius * math.cos(angle)), place.y + radius * math.sin(angle)))
+        corners: list[tuple[int, int]] = []
+        for low, high in zip(self._lens.pixels_at(rim, bottom), self._lens.pixels_at(rim, upper), strict=True):
             # Alternating, so that any four in a row from an even place on go around one strip.
-            corners += (low, high) if j % 2 == 0 else (high, low)
+            corners += (low, high) if len(corners) % 4 == 0 else (high, low)
         outline = np.array(corners, np.int32)
-        for j in range(_STRIPS):
-            sunward = heading + toward + half_arc * (1.0 - (2 * j + 1) / _STRIPS) - _LIGHT_FROM
+        for j, share in enumerate(_MIDDLES):
+            sunward = heading + toward + half_arc * share - _LIGHT_FROM
             lit = _lit(paint, gain * (0.92 + 0.19 * math.cos(sunward)))
             cv2.fillConvexPoly(image, outline[2 * j : 2 * j + 4], lit)
         if top < self._mount.height:
             face = self._lens.in_camera(np.array(place) + radius * _LID, np.full(len(_LID), top))
             self._fill(image, face, _lit(paint, gain * 1.05))
 
-    def _draw_prism(self, image: Image, prisms: Prisms, i: int, eye: Pose, gain: float) -> None:
+    def _draw_prism(self, image: Image, prisms: Prisms, i: int, middle: Point, eye: Pose, gain: float) -> None:
         """Draws the faces that the eye sees. In plain floats: eight corners are too few for arrays to pay."""
-        (rx, ry, rz), half = prisms.rotations[i].tolist(), prisms.halves[i].tolist()
-        x, y, z = prisms.centres[i].tolist()
+        (x, y, z), (rx, ry, rz) = prisms.pose(i)
+        half = prisms.halves[i]
         c, s = math.cos(eye.heading), math.sin(eye.heading)
-        forward, left = c * (x - eye.x) + s * (y - eye.y), c * (y - eye.y) - s * (x - eye.x)
-        # The prism's half axes in the view: forward, left, up.
-        axes = [
-            ((c * ax + s * ay) * h, (c * ay - s * ax) * h, az * h)
-            for ax, ay, az, h in zip(rx, ry, rz, half, strict=True)
-        ]
-        corners = [
-            (
-                forward + i * axes[0][0] + j * axes[1][0] + k * axes[2][0],
-                left + i * axes[0][1] + j * axes[1][1] + k * axes[2][1],
-                z + i * axes[0][2] + j * axes[1][2] + k * axes[2][2],
-            )
-            for i, j, k in prisms.SIGNS
-        ]
+        corners = [(middle.x, middle.y, z)]
+        for ax, ay, az, h in zip(rx, ry, rz, half, strict=True):
+            # The prism's half axis in the view: forward, left, up. From each point half an axis down and up.
+            forward, left, up = (c * ax + s * ay) * h, (c * ay - s * ax) * h, az * h
+            corners = [(px + k * forward, py + k * left, pz + k * up) for px, py, pz in corners for k in (-1, 1)]
         depths = self._lens.depths(corners)
         if self._lens.off_screen(corners, depths):
             return
         before_the_lens = min(depths) >= NEAR_M
         if before_the_lens:
-            pixels = np.array([self._lens.pixel(*corner) for corner in corners], np.int32)
+            pixels = [self._lens.pixel(*corner) for corner in corners]
         # The eye in the prism's own axes tells which of its faces it sees.
         to_eye = (eye.x - x, eye.y - y, self._mount.height - z)
         for axis, (ax, ay, az, reach) in enumerate(zip(rx, ry, rz, half, strict=True)):
@@ -188,7 +184,7 @@ class Camera:
             lit = _lit(prisms.paints[i], gain * (0.9 + 0.17 * sunward + 0.12 * max(0.0, sign * az)))
             face = prisms.FACES[axis, sign]
             if before_the_lens:
-                cv2.fillConvexPoly(image, pixels[face], lit)
+                cv2.fillConvexPoly(image, np.array([pixels[corner] for corner in face], np.int32), lit)
             else:
                 shape = np.array([corners[corner] for corner in face])
                 self._fill(image, self._lens.in_camera(shape[:, :2], shape[:, 2]), lit)

@@ -1,7 +1,7 @@
 """A tilted pinhole: from the floor plan and heights to pixels."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,17 @@ class Lens:
         column = self._column - left * scale
         row = self._row - (self._sin * forward + self._cos * up) * scale
         return round(column), round(row)
+
+    def pixels_at(self, in_view: Iterable[tuple[float, float]], height: float) -> list[tuple[int, int]]:
+        """:meth:`pixel` for several points at one height: what follows from that is computed once."""
+        focal, cos, sin, middle_column, middle_row = self._focal, self._cos, self._sin, self._column, self._row
+        up = height - self._height
+        nearer, above = sin * up, cos * up
+        found = []
+        for forward, left in in_view:
+            scale = focal / (cos * forward - nearer)
+            found.append((round(middle_column - left * scale), round(middle_row - (sin * forward + above) * scale)))
+        return found
 
     def in_camera(self, in_view: Floats, height: Floats) -> Floats:
         """Points of the view at a height above the floor, in the camera."""

@@ -1,4 +1,4 @@
-"""What a camera can see: colored boxes and cylinders, taken from MuJoCo's state once a picture."""
+"""What a camera can see: colored boxes and cylinders, taken from MuJoCo's state as it is asked for them."""
 
 import math
 from dataclasses import dataclass
@@ -50,8 +50,6 @@ class WallFace:
 class Prisms:
     """Boxes in any attitude: inner walls (which never move) first, then the geoms of doors, boxes and robots."""
 
-    SIGNS: ClassVar[list[tuple[int, int, int]]] = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-    """Of the corners, along the three axes."""
     FACES: ClassVar[dict[tuple[int, int], list[int]]] = {
         (0, -1): [0, 1, 3, 2],
         (0, 1): [4, 5, 7, 6],
@@ -60,7 +58,9 @@ class Prisms:
         (2, -1): [0, 2, 6, 4],
         (2, 1): [1, 3, 7, 5],
     }
-    """Corners of each face in cyclic order, by axis and sign."""
+    """Corners of each face in cyclic order, by axis and sign. Corners are counted from the least to the greatest along
+    the third axis first, then the second, then the first.
+    """
 
     def __init__(self, arena: ArenaModel, data: Any) -> None:
         model, world = arena.model, arena.world
@@ -81,20 +81,23 @@ class Prisms:
             else:
                 continue
             geoms.append(geom)
-        count, self._still = len(pieces) + len(geoms), len(pieces)
-        self.centres, self.rotations, self.halves = np.zeros((count, 3)), np.zeros((count, 3, 3)), np.zeros((count, 3))
-        for i, (centre, rotation, half) in enumerate(pieces):
-            self.centres[i], self.rotations[i], self.halves[i] = centre, rotation, half
         self._geoms = np.array(geoms, np.intp)
-        self.halves[self._still :] = model.geom_size[self._geoms]
-        self.radii: list[float] = np.linalg.norm(self.halves[:, :2], axis=1).tolist()
+        self._still = [(centre.tolist(), rotation.tolist()) for centre, rotation, _ in pieces]
+        halves = np.concatenate([*(half[None] for _, _, half in pieces), model.geom_size[self._geoms]])
+        self.halves: list[list[float]] = halves.tolist()
+        self.radii: list[float] = np.linalg.norm(halves[:, :2], axis=1).tolist()
         self._places, self._attitudes = data.geom_xpos, data.geom_xmat.reshape(-1, 3, 3)
 
-    def refresh(self) -> None:
-        """Takes the places of things that move."""
-        if self._geoms.size:
-            self.centres[self._still :] = self._places[self._geoms]
-            self.rotations[self._still :] = self._attitudes[self._geoms]
+    def centres(self) -> list[list[float]]:
+        """Where the middles are now: x, y and height."""
+        return [centre for centre, _ in self._still] + _rows(self._places, self._geoms)
+
+    def pose(self, i: int) -> tuple[list[float], list[list[float]]]:
+        """Of one, now: its middle, and its axes as the columns of a matrix."""
+        if i < len(self._still):
+            return self._still[i]
+        geom = self._geoms[i - len(self._still)]
+        return self._places[geom].tolist(), self._attitudes[geom].tolist()
 
 
 class Cylinders:
@@ -122,18 +125,15 @@ class Cylinders:
             self.owners.append(owner)
         self._geoms = np.array(geoms, np.intp)
         self._places = data.geom_xpos
-        self.centres = np.zeros((len(geoms), 3))
         self.radii: list[float] = model.geom_size[self._geoms, 0].tolist()
-        halves = model.geom_size[self._geoms, 1]
-        self.refresh()
+        halves, heights = model.geom_size[self._geoms, 1], self._places[self._geoms, 2]
         # They stand upright and never leave their height.
-        self.bottoms: list[float] = (self.centres[:, 2] - halves).tolist()
-        self.tops: list[float] = (self.centres[:, 2] + halves).tolist()
+        self.bottoms: list[float] = (heights - halves).tolist()
+        self.tops: list[float] = (heights + halves).tolist()
 
-    def refresh(self) -> None:
-        """Takes the places of things that move."""
-        if self._geoms.size:
-            self._places.take(self._geoms, axis=0, out=self.centres, mode="clip")
+    def centres(self) -> list[list[float]]:
+        """Where the middles are now: x, y and height."""
+        return _rows(self._places, self._geoms)
 
 
 class Scenery:
@@ -144,10 +144,10 @@ class Scenery:
         self.prisms = Prisms(arena, data)
         self.cylinders = Cylinders(arena, data)
 
-    def refresh(self) -> None:
-        """Takes the places of things that move."""
-        self.prisms.refresh()
-        self.cylinders.refresh()
+
+def _rows(table: Floats, which: NDArray[np.intp]) -> list[list[float]]:
+    rows: list[list[float]] = table.take(which, axis=0).tolist()
+    return rows
 
 
 def _is_cylinder(model: Any, geom: int) -> bool:

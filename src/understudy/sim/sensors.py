@@ -31,11 +31,11 @@ class _Fan:
 
     def __init__(self, model: Any, data: Any, body: RobotBody, *, at: Point, height: float, angles: ArrayLike) -> None:
         self._model, self._data, self._robot = model, data, body.index.body
-        self._at, self._height = at, height
+        self._at = at
         directions = np.asarray(angles, np.float64)
         rays = directions.size
         self._local = np.stack([np.cos(directions), np.sin(directions)], axis=1)
-        self._origin = np.zeros(3)
+        self._origin = np.array([0.0, 0.0, height])
         self._turned = np.zeros((2, 3))
         self._directions = np.zeros((rays, 3))
         self._flat = self._directions.reshape(-1)
@@ -45,15 +45,17 @@ class _Fan:
 
     def cast(self, pose: Pose, reach: float) -> NDArray[np.float64]:
         """Metres to what each ray meets, negative where it meets nothing; the array is reused."""
-        x, y = pose.to_parent(self._at)
-        self._origin[:] = x, y, self._height
+        # Number by number: handing tuples over to NumPy costs more.
+        origin, turned = self._origin, self._turned
+        origin[0], origin[1] = pose.to_parent(self._at)
         c, s = math.cos(pose.heading), math.sin(pose.heading)
-        self._turned[:, :2] = (c, s), (-s, c)
-        np.dot(self._local, self._turned, out=self._directions)
+        turned[0, 0], turned[0, 1] = c, s
+        turned[1, 0], turned[1, 1] = -s, c
+        np.dot(self._local, turned, out=self._directions)
         mujoco.mj_multiRay(
             self._model,
             self._data,
-            self._origin,
+            origin,
             self._flat,
             self._groups,
             1,
@@ -84,7 +86,9 @@ class Laser:
         ranges *= self._std
         ranges += met
         np.maximum(ranges, 0.0, out=ranges)
-        ranges[(met < 0.0) | (ranges > self._range)] = np.inf
+        missed = ranges > self._range
+        missed |= met < 0.0
+        ranges[missed] = np.inf
         return Scan(ranges=ranges, angle_min=self._angle_min, angle_increment=self._increment, range_max=self._range)
 
 
@@ -107,7 +111,7 @@ class SonarRing:
         """Metres from each sonar of a robot at this true pose, ``inf`` for no echo."""
         met = self._fan.cast(pose, self._reach)
         met[met < 0.0] = np.inf
-        nearest = met.reshape(-1, len(_SONAR_RAYS)).min(axis=1) - self._offsets
+        nearest = np.minimum.reduce(met.reshape(-1, len(_SONAR_RAYS)), axis=1) - self._offsets
         echo = self._std * self._rng.standard_normal(nearest.size)
         echo += nearest
         np.maximum(echo, 0.0, out=echo)
@@ -173,20 +177,17 @@ class GripperSensor:
         return GripperReading(
             aperture=min(1.0, max(0.0, (left + right) / gripper.opening)),
             lift=min(1.0, max(0.0, lift / gripper.lift_height)),
-            beam_broken=self.beam_broken(pose) != misread,
+            beam_broken=self._beam_broken(pose, Point(gripper.x_beam, left), left + right, lift) != misread,
         )
 
-    def beam_broken(self, pose: Pose) -> bool:
-        """The truth about the beam."""
-        gripper = self._body.spec.gripper
-        assert gripper is not None
-        left, right = self._body.paddles
-        x, y = pose.to_parent(Point(gripper.x_beam, left))
+    def _beam_broken(self, pose: Pose, start: Point, opening: float, lift: float) -> bool:
+        """The truth about the beam, which begins at ``start`` in the robot's frame, on the left paddle."""
         origin, across = self._origin, self._across
-        origin[:] = x, y, GRIPPER_HEIGHT_M + self._body.lift
-        across[:2] = math.sin(pose.heading), -math.cos(pose.heading)
+        origin[0], origin[1] = pose.to_parent(start)
+        origin[2] = GRIPPER_HEIGHT_M + lift
+        across[0], across[1] = math.sin(pose.heading), -math.cos(pose.heading)
         met = mujoco.mj_ray(
             self._model, self._data, origin, across, self._groups, 1, self._body.index.body, self._geom, None
         )
         # Paddles that grip hard are pressed into the box: the ray then begins inside it and meets its far side.
-        return bool(0.0 <= met <= left + right + _PRESSED_M)
+        return bool(0.0 <= met <= opening + _PRESSED_M)

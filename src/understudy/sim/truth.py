@@ -53,6 +53,8 @@ class Truth:
     def gripped_box(self, robot: int) -> int | None:
         """The box between the robot's closed paddles, lifted or not."""
         body = self.bodies[robot]
+        if not body.clamped:  # nearly always: no box need be looked at
+            return None
         return next((i for i in range(len(self._arena.box_pose)) if body.grips(self.box_place(i))), None)
 
     def held_box(self, robot: int) -> int | None:
