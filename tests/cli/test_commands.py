@@ -350,3 +350,24 @@ def test_ctrl_c_keeps_what_was_recorded(tmp_path: Path) -> None:
     found = read_recording(recording)
     assert found.info.complete
     assert len(list(found.observations(images=False))) > 10
+
+
+def test_a_run_stopped_by_ctrl_c_says_how_to_go_on(tmp_path: Path) -> None:
+    process = subprocess.Popen(
+        [*PROGRAM, "run", "hierarchical", "--world", "hierarchical"],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),  # noqa: PLW1509
+    )
+    recording = tmp_path / "understudy-out" / "hierarchical-run.mcap"
+    for _ in range(600):
+        if recording.exists() and recording.stat().st_size > 300_000:
+            break
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130, errors
+    (told,) = [line for line in errors.splitlines() if line.startswith("Go on with: understudy ")]
+    gone_on = understudy(*told.split()[4:], folder=tmp_path)
+    assert "Done after" in gone_on.stdout

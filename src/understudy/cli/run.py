@@ -74,6 +74,7 @@ def command(
             room = rearranged(room, rearrange)
     place = Workspace(workspace)
     stem = place.free(f"{document.name} run", ".mcap", ".json", ".context.json")
+    recording = stem.with_suffix(".mcap")
     tally = Tally(network, past.events if past is not None else ())
     with progress(f"running {document.name}", limit) as say:
 
@@ -82,18 +83,22 @@ def command(
                 tally.add(event)
             say(percepts.time_s, str(tally))
 
-        performed = perform(
-            document.name,
-            network,
-            room,
-            skills,
-            seed=seed,
-            limit_s=limit,
-            recording=stem.with_suffix(".mcap"),
-            pause_at_s=pause_at,
-            past=past,
-            watch=watch,
-        )
+        try:
+            performed = perform(
+                document.name,
+                network,
+                room,
+                skills,
+                seed=seed,
+                limit_s=limit,
+                recording=recording,
+                pause_at_s=pause_at,
+                past=past,
+                watch=watch,
+            )
+        except KeyboardInterrupt:
+            typer.echo(f"Go on with: understudy run {given} --resume {recording}", err=True)
+            raise
     aside = None
     if performed.paused is not None:
         aside = stem.with_suffix(".context.json")
