@@ -2,8 +2,9 @@
 
 from understudy.language.checking import Violation, check, violations
 from understudy.language.comparison import Comparison, compare
+from understudy.language.deterministic import MANY_STATES
 from understudy.language.grammar import DROP_BEFORE_PICK_UP, RULES, Grammar
-from understudy.language.language import MANY_STATES, Language, Membership, Word
+from understudy.language.language import Language, Membership, Word
 from understudy.language.symbols import by_path, parse_word, symbol_of
 
 __all__ = [

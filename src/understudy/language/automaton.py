@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from understudy.language.possibly import truth
+from understudy.language.possibly import asked_by, asked_in, truth
 from understudy.network import Achieved, Complete, Component, Condition, Nab, Network, TimedOut
 
 __all__ = ["Automaton", "Begun", "State"]
@@ -29,6 +29,10 @@ class State(NamedTuple):
 
     achieved: int = 0
     begun: tuple["Begun", ...] = ()
+
+    def begun_at(self, place: int) -> "Begun | None":
+        """What is under way in a component's place."""
+        return next((one for one in self.begun if one.place == place), None)
 
 
 class Begun(NamedTuple):
@@ -48,13 +52,22 @@ _NOTHING = State()
 
 @dataclass(frozen=True, slots=True)
 class _Part:
-    """A component with its place."""
+    """A component with its place.
+
+    Attributes:
+        after: what must be achieved before.
+        scopes: of its cases.
+        asked: some condition asks whether it is achieved, so that it matters when it is.
+        blind: its cases ask for nothing that is achieved, so that it does not matter when it begins.
+    """
 
     place: int
     path: str
     of: Component | Nab
     after: int
     scopes: tuple["_Scope", ...]
+    asked: bool
+    blind: bool
 
     @property
     def bit(self) -> int:
@@ -70,11 +83,19 @@ class Automaton:
 
     Args:
         network: the task.
+
+    Attributes:
+        ends: nothing in it can go on without end, so the task can be done from every state.
     """
 
     def __init__(self, network: Network) -> None:
         self._root = _Scope(network, "")
         self.start = _NOTHING
+        self.ends = all(
+            not part.switches and (part.repeat is None or part.repeat.times is not None)
+            for _, part in network.walk()
+            if isinstance(part, Nab)
+        )
         self._moves: dict[State, tuple[Move, ...]] = {}
 
     def moves(self, state: State) -> tuple[Move, ...]:
@@ -96,7 +117,8 @@ class Automaton:
 class _Scope:
     """A network at its place in the hierarchy, with what its states mean."""
 
-    def __init__(self, network: Network, prefix: str) -> None:
+    def __init__(self, network: Network, prefix: str, leaving: tuple[Condition, ...] = ()) -> None:
+        asked = asked_in(network).union(*map(asked_by, leaving))
         place = {component.id: index for index, component in enumerate(network.components)}
         self.place = place
         self.parts = tuple(
@@ -105,11 +127,9 @@ class _Scope:
                 path=prefix + of.id,
                 of=of,
                 after=sum(1 << place[link.source] for link in network.incoming[of.id]),
-                scopes=tuple(
-                    _Scope(case.network, f"{'/'.join(filter(None, (prefix + of.id, case.name)))}/") for case in of.cases
-                )
-                if isinstance(of, Nab)
-                else (),
+                scopes=tuple(_scopes(of, prefix)) if isinstance(of, Nab) else (),
+                asked=of.id in asked,
+                blind=isinstance(of, Nab) and not any(case.when and asked_by(case.when) for case in of.cases),
             )
             for of in network.components
         )
@@ -165,13 +185,22 @@ class _Scope:
                 if not state.achieved & part.bit:
                     yield from self._ends(part, own, state)
             elif not state.achieved & part.bit:
-                yield from self._begins(part, state)
+                for path, begun_now in self._begins(part, state):
+                    # Where it does not matter when it begins, it does so with its first achievement.
+                    fresh = begun_now.begun_at(part.place) if part.blind else None
+                    if fresh is None:
+                        yield path, begun_now
+                    else:
+                        yield from self._inside(part, fresh, state)
+                        yield from self._ends(part, fresh, state)
 
     def _duty(self, part: _Part, own: Begun | None, state: State, *, complete: bool, over: bool) -> Iterator[Move]:
         """Beside the sequence: as often as it is called; what it began may break off when the network is complete."""
         if isinstance(part.of, Component):
-            if not (complete and over):
+            if not complete:
                 yield part.path, state
+            elif not over and not state.achieved & part.bit:
+                yield part.path, _with(state, part, done=True)  # called before; it is not called again
             return
         if own is None:
             if not complete:
@@ -200,7 +229,7 @@ class _Scope:
         done = bool(state.achieved & part.bit)
         scope = part.scopes[own.case]
         for path, inside in scope.moves(own.inside, over=done):
-            yield path, _with(state, part, own._replace(inside=inside))
+            yield path, self._settled(part, own._replace(inside=inside), state)
         if done and not part.skippable:
             return
         for switch in part.of.switches:
@@ -215,6 +244,15 @@ class _Scope:
         if scope.complete(own.inside) and self._repeats(part, own, state) is not False:
             rounds = own.rounds + 1 if part.of.repeat is not None and part.of.repeat.times is not None else 0
             yield from self._begins(part, state, rounds=rounds)
+
+    def _settled(self, part: _Part, own: Begun, state: State) -> State:
+        """The state with what happened inside; where nothing else can follow its completion, that follows at once."""
+        scope = part.scopes[own.case]
+        assert isinstance(part.of, Nab)
+        plain = part.of.trigger is None and not (part.asked or part.of.switches or part.of.repeat or scope.duties)
+        if plain and scope.complete(own.inside) and next(scope.moves(own.inside, over=True), None) is None:
+            return _with(state, part, done=True)
+        return _with(state, part, own)
 
     def _repeats(self, part: _Part, own: Begun, state: State) -> bool | None:
         """Whether another round follows one that is complete."""
@@ -277,9 +315,15 @@ class _Scope:
         return (0.0 if part.skippable or part.of.until is not None else low), high
 
 
+def _scopes(nab: Nab, prefix: str) -> Iterator[_Scope]:
+    for case in nab.cases:
+        leaving = tuple(switch.when for switch in nab.switches if switch.source == case.name)
+        yield _Scope(case.network, f"{'/'.join(filter(None, (prefix + nab.id, case.name)))}/", leaving)
+
+
 def _times(count: float, rounds: float) -> float:
-    """So many achievements in each of so many rounds; none in each is none, however many rounds there are."""
-    return count * rounds if count else 0.0
+    """So many achievements in each of so many rounds; none is none, even without end."""
+    return count * rounds if count and rounds else 0.0
 
 
 def _with(state: State, part: _Part, own: Begun | None = None, *, done: bool = False) -> State:

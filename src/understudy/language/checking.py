@@ -5,20 +5,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from understudy.language.deterministic import MANY_STATES, Deterministic
 from understudy.language.grammar import RULES, Grammar
-from understudy.language.language import MANY_STATES, Language, Word
+from understudy.language.language import Word
+from understudy.language.possibly import asked_by, asked_in
 from understudy.language.symbols import by_path, symbol_of
-from understudy.network import (
-    Achieved,
-    Component,
-    Condition,
-    Link,
-    LinkType,
-    Nab,
-    Network,
-    TimedOut,
-    atoms,
-)
+from understudy.network import Component, Link, LinkType, Nab, Network
 
 __all__ = ["Violation", "check", "violations"]
 
@@ -78,16 +70,16 @@ def check(network: Network, rule: Grammar, *, limit: int = MANY_STATES) -> Viola
         if all(map(rule.neutral, symbol.values())):
             return None
         network = _without_idle_orders(network, rule)
-    language = Language(network, spell=by_path, limit=limit)
-    start = (language.start, rule.start)
+    states = Deterministic(network, by_path, limit=limit)
+    start = (states.start, rule.start)
     came: dict[tuple[int, frozenset[str]], tuple[tuple[int, frozenset[str]], str] | None] = {start: None}
     waiting = deque([start])
     while waiting:
         at = waiting.popleft()
         state, open_ = at
-        if language.complete(state) and not rule.ends(open_):
+        if states.complete(state) and not rule.ends(open_):
             return _violation(rule, _way(came, at), symbol, offending=False)
-        for path, target in language.after(state).items():
+        for path, target in states.after(state).items():
             after = rule.after(open_, symbol[path])
             if not after:
                 return _violation(rule, (*_way(came, at), path), symbol, offending=True)
@@ -136,13 +128,7 @@ def _without_idle_orders(network: Network, rule: Grammar, *, whole: bool = True)
     the part's. So in a part they are put in order; in the whole task they are taken out, unless there are duties, which
     are not called any more once the task is complete.
     """
-    asked = {
-        atom.component
-        for part in network.components
-        for condition in _conditions(part)
-        for atom in atoms(condition)
-        if isinstance(atom, Achieved | TimedOut)
-    }
+    asked = asked_in(network)
     parts = tuple(part if isinstance(part, Component) else _inside(part, rule) for part in network.components)
     neutral = {part.id for part in parts if part.id not in asked and part.trigger is None and _is_neutral(part, rule)}
     links = network.links
@@ -161,8 +147,7 @@ def _without_idle_orders(network: Network, rule: Grammar, *, whole: bool = True)
 
 
 def _inside(nab: Nab, rule: Grammar) -> Nab:
-    asks = (atom for switch in nab.switches for atom in atoms(switch.when))
-    if any(isinstance(atom, Achieved | TimedOut) for atom in asks):
+    if any(asked_by(switch.when) for switch in nab.switches):
         return nab  # for steps of the case that the switch leaves
     cases = tuple(replace(case, network=_without_idle_orders(case.network, rule, whole=False)) for case in nab.cases)
     return replace(nab, cases=cases)
@@ -173,12 +158,3 @@ def _is_neutral(part: Component | Nab, rule: Grammar) -> bool:
         return rule.neutral(symbol_of(part))
     inner = (of for case in part.cases for of in case.network.components)
     return all(_is_neutral(of, rule) for of in inner)
-
-
-def _conditions(part: Component | Nab) -> list[Condition]:
-    """All conditions of a component that ask for others of the network around it."""
-    found = [part.until, part.trigger.on if part.trigger is not None else None]
-    if isinstance(part, Nab):
-        found += [case.when for case in part.cases]
-        found.append(part.repeat.until if part.repeat is not None else None)
-    return [condition for condition in found if condition is not None]

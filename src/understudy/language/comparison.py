@@ -4,6 +4,7 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Literal
 
+from understudy.language.deterministic import Deterministic
 from understudy.language.language import Language, Word
 
 __all__ = ["Comparison", "compare"]
@@ -37,26 +38,26 @@ class Comparison:
         return "disjoint" if self.both is None else "overlapping"
 
 
-def compare(first: Language, second: Language) -> Comparison:
+def compare(one: Language, other: Language) -> Comparison:
     """Compares two languages symbol by symbol, in both automata at once.
 
     Raises:
         LanguageError: together they have too many states.
     """
+    first, second = one.states, other.states
     start: _Pair = (first.start, second.start)
     came: dict[_Pair, tuple[_Pair, str] | None] = {start: None}
     found: dict[tuple[bool, bool], _Pair] = {}
     waiting = deque([start])
     while waiting and len(found) < 3:
         pair = waiting.popleft()
-        one, other = pair
-        ends = one is not None and first.complete(one), other is not None and second.complete(other)
+        ends = pair[0] is not None and first.complete(pair[0]), pair[1] is not None and second.complete(pair[1])
         if any(ends):
             found.setdefault(ends, pair)
-        after_one = first.after(one) if one is not None else {}
-        after_other = second.after(other) if other is not None else {}
-        for symbol in (*after_one, *(symbol for symbol in after_other if symbol not in after_one)):
-            target = _hopeful(first, after_one.get(symbol)), _hopeful(second, after_other.get(symbol))
+        after_first = first.after(pair[0]) if pair[0] is not None else {}
+        after_second = second.after(pair[1]) if pair[1] is not None else {}
+        for symbol in {**after_first, **after_second}:
+            target = _hopeful(first, after_first.get(symbol)), _hopeful(second, after_second.get(symbol))
             if target not in came and target != (None, None):
                 came[target] = pair, symbol
                 waiting.append(target)
@@ -75,6 +76,6 @@ def compare(first: Language, second: Language) -> Comparison:
     return Comparison(both=word((True, True)), only_first=word((True, False)), only_second=word((False, True)))
 
 
-def _hopeful(language: Language, state: int | None) -> int | None:
+def _hopeful(states: Deterministic, state: int | None) -> int | None:
     """The state if the task can still be done from there."""
-    return state if state is not None and language.hopeful(state) else None
+    return state if state is not None and states.hopeful(state) else None
