@@ -9,6 +9,7 @@ import pytest
 from understudy.behaviors import installed_skills
 from understudy.execution import compile_network
 from understudy.figures import describe_task, draw_network
+from understudy.language import violations
 from understudy.network import Task, load_task
 
 PAGE = Path(__file__).parents[2] / "docs" / "networks.md"
@@ -34,6 +35,7 @@ def test_a_documented_network(name, folder):
     task, network = load_task(folder / name)
     skills = installed_skills()
     compile_network(network, skills)
+    assert violations(network) == []
     assert describe_task(task.name, network, skills).startswith(f"{task.name}: ")
     draw_network(network, None, skills, title=task.name)
 
