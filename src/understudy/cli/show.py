@@ -81,7 +81,7 @@ def _task(source: Path, picture: Path | None, depth: int | None, dot: bool, as_j
     else:
         typer.echo(describe_task(task.name, network, skills))
         for problem in broken_rules(network):
-            typer.echo(f"\nThis is not run as it is: {problem}.", err=True)
+            typer.echo(f"This is not run as it is: {problem}.", err=True)
     if picture is not None:
         from understudy.sessions.pictures import picture_task  # noqa: PLC0415
 

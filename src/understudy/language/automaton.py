@@ -23,7 +23,8 @@ class State(NamedTuple):
     """What has happened in a network.
 
     Attributes:
-        achieved: the components, duties apart, that are achieved or passed over, by their places.
+        achieved: the components that are achieved or passed over, by their places; of the duties, those that were
+            done just when the network was.
         begun: the networks in them that are under way, or were cut short and may still finish what they were at.
     """
 
@@ -55,6 +56,8 @@ class _Part:
     """A component with its place.
 
     Attributes:
+        bit: for its place, in sets of components.
+        skippable: it may be passed over.
         after: what must be achieved before.
         scopes: of its cases.
         asked: some condition asks whether it is achieved, so that it matters when it is.
@@ -64,18 +67,12 @@ class _Part:
     place: int
     path: str
     of: Component | Nab
+    bit: int
+    skippable: bool
     after: int
     scopes: tuple["_Scope", ...]
     asked: bool
     blind: bool
-
-    @property
-    def bit(self) -> int:
-        return 1 << self.place
-
-    @property
-    def skippable(self) -> bool:
-        return self.of.timeout is not None and self.of.timeout.then == "skip"
 
 
 class Automaton:
@@ -126,6 +123,8 @@ class _Scope:
                 place=place[of.id],
                 path=prefix + of.id,
                 of=of,
+                bit=1 << place[of.id],
+                skippable=of.timeout is not None and of.timeout.then == "skip",
                 after=sum(1 << place[link.source] for link in network.incoming[of.id]),
                 scopes=tuple(_scopes(of, prefix)) if isinstance(of, Nab) else (),
                 asked=of.id in asked,
@@ -185,14 +184,14 @@ class _Scope:
                 if not state.achieved & part.bit:
                     yield from self._ends(part, own, state)
             elif not state.achieved & part.bit:
-                for path, begun_now in self._begins(part, state):
+                for _, chosen in self._begins(part, state):
+                    fresh = chosen.begun_at(part.place)
+                    if fresh is None or not part.blind:
+                        yield None, chosen
+                        continue
                     # Where it does not matter when it begins, it does so with its first achievement.
-                    fresh = begun_now.begun_at(part.place) if part.blind else None
-                    if fresh is None:
-                        yield path, begun_now
-                    else:
-                        yield from self._inside(part, fresh, state)
-                        yield from self._ends(part, fresh, state)
+                    yield from self._inside(part, fresh, state)
+                    yield from self._ends(part, fresh, state)
 
     def _duty(self, part: _Part, own: Begun | None, state: State, *, complete: bool, over: bool) -> Iterator[Move]:
         """Beside the sequence: as often as it is called; what it began may break off when the network is complete."""

@@ -15,7 +15,7 @@ from understudy.network import Component, Network
 __all__ = ["MANY_STATES", "Deterministic"]
 
 MANY_STATES = 200_000
-"""More states than this are refused: they would take some ten seconds, and a few hundred megabytes."""
+"""More states than this are refused: they would take some fifteen seconds, and a few hundred megabytes."""
 
 
 class Deterministic:
@@ -36,7 +36,7 @@ class Deterministic:
         self._automaton, self._limit = Automaton(network), limit
         self._rank = {path: index for index, path in enumerate(self.symbol)}
         self._sets: list[frozenset[State]] = []
-        self._numbers: dict[frozenset[State], int] = {}
+        self._numbers: dict[frozenset[State], int] = {}  # of closed sets, and of those that were closed to them
         self._after: list[Mapping[str, int] | None] = []
         self._bounds: list[tuple[float, float]] = []
         self._hopeful: dict[int, bool] = {}
@@ -130,6 +130,22 @@ class Deterministic:
 
     def _number(self, states: set[State]) -> int:
         """The number of a set of states, with everything that silent moves lead to."""
+        given = frozenset(states)
+        number = self._numbers.get(given)
+        if number is None:
+            closed = self._closed(given)
+            number = self._numbers.get(closed)
+            if number is None:
+                number = len(self._sets)
+                self._refuse(number)
+                self._sets.append(closed)
+                self._after.append(None)
+                low, high = zip(*map(self._automaton.bounds, closed), strict=True)
+                self._bounds.append((min(low), max(high)))
+            self._numbers[given] = self._numbers[closed] = number
+        return number
+
+    def _closed(self, states: frozenset[State]) -> frozenset[State]:
         closed, new = set(states), list(states)
         while new:
             for path, target in self._automaton.moves(new.pop()):
@@ -137,16 +153,7 @@ class Deterministic:
                     closed.add(target)
                     new.append(target)
             self._refuse(len(closed))
-        key = frozenset(closed)
-        number = self._numbers.get(key)
-        if number is None:
-            number = self._numbers[key] = len(self._sets)
-            self._refuse(number)
-            self._sets.append(key)
-            self._after.append(None)
-            low, high = zip(*map(self._automaton.bounds, key), strict=True)
-            self._bounds.append((min(low), max(high)))
-        return number
+        return frozenset(closed)
 
     def _refuse(self, count: int) -> None:
         if count > self._limit:
