@@ -10,7 +10,7 @@ __all__ = ["nested"]
 
 
 @st.composite
-def nested(draw: st.DrawFn, depth: int = 2, size: int = 3) -> Network:
+def nested(draw: st.DrawFn, depth: int = 1, size: int = 2) -> Network:
     count = draw(st.integers(1, size))
     ids = [f"c{index}" for index in range(count)]
     parts: list[Component | Nab] = []
