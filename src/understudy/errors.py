@@ -10,6 +10,7 @@ The tree::
     ├── SkillError           an unknown skill, or a parameter that a skill does not take
     ├── RobotError           the robot's readings cannot be used, or it stopped answering
     ├── RecordingError       a recording cannot be read or written
+    ├── LanguageError        a task's language is too large, or too empty, for what was asked
     ├── LearningError        a demonstration holds nothing that can be learned
     └── MissingExtraError    an optional package is not installed
 
@@ -20,6 +21,7 @@ The command line prints it without a traceback and exits with 2.
 __all__ = [
     "ContextError",
     "DocumentError",
+    "LanguageError",
     "LearningError",
     "MissingExtraError",
     "NetworkError",
@@ -74,6 +76,10 @@ class RobotError(UnderstudyError):
 
 class RecordingError(UnderstudyError):
     """A recording cannot be read or written."""
+
+
+class LanguageError(UnderstudyError):
+    """A task's language is too large, or too empty, for what was asked of it."""
 
 
 class LearningError(UnderstudyError):

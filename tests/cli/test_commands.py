@@ -54,7 +54,7 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_help_names_every_command(tmp_path: Path) -> None:
     help_ = understudy("--help", folder=tmp_path).stdout
-    for command in ("demo", "teach", "learn", "run", "practice", "show", "explain", "schema", "doctor"):
+    for command in ("demo", "teach", "learn", "run", "practice", "show", "explain", "language", "schema", "doctor"):
         assert f"\n  {command}" in help_
         assert "Usage:" in understudy(command, "--help", folder=tmp_path).stdout
 

@@ -8,8 +8,8 @@ import pytest
 from understudy import learning
 from understudy.errors import LearningError
 from understudy.learning import Demonstration, Instance, LearningSettings, Observer, learn
-from understudy.learning.naming import component_ids
 from understudy.network import Interval
+from understudy.network.naming import component_ids
 from understudy.robot.cues import Cue
 
 from .build import seen, typed_links

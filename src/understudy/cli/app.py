@@ -1,6 +1,6 @@
 """The commands, and what they have in common: options, exit codes, errors in one line.
 
-Exit codes: 0 done; 1 the robot did not do the task; 2 wrong usage or input; 130 stopped by Ctrl-C.
+Exit codes: 0 done; 1 the robot did not do the task, or the answer is no; 2 wrong usage or input; 130 stopped by Ctrl-C.
 """
 
 import os
@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from understudy import __version__
-from understudy.cli import demo, doctor, explain, learn, practice, run, schema, show, teach
+from understudy.cli import demo, doctor, explain, language, learn, practice, run, schema, show, teach
 from understudy.errors import UnderstudyError
 
 __all__ = ["app", "main"]
@@ -55,6 +55,7 @@ app.command("show", help="A task in words, as a picture or as DOT; or what a rec
 app.command("explain", help="Why a step of a recorded run was active or not, and what would have made it so.")(
     explain.command
 )
+app.command("language", help="In which orders a task can be done; counted, compared, checked.")(language.command)
 app.command("schema", help="Print the JSON Schema of a document.")(schema.command)
 app.command("doctor", help="What is installed, what is missing, and how to mend it.")(doctor.command)
 

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 import typer
 
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, Name, WorkspaceFolder
+from understudy.cli.rules import broken_rules
 
 __all__ = ["command"]
 
@@ -47,6 +48,7 @@ def command(
     place = Workspace(workspace)
     path = place.free(name, ".yaml").with_suffix(".yaml")
     save_task(path, Task.of(name, lesson.network, note=f"learned from {source.name}"))
+    broken = broken_rules(lesson.network)
     if as_json:
         record = {
             "task": str(path),
@@ -55,10 +57,14 @@ def command(
             "links": [[link.source, link.target, link.type.value] for link in lesson.network.links],
             "dropped": [[str(item.observed.instance), item.reason] for item in lesson.dropped],
             "notes": list(lesson.notes),
+            "broken_rules": broken,
         }
         typer.echo(json.dumps(record))
         return
     typer.echo(describe_task(name, lesson.network, skills))
     typer.echo(describe_lesson(lesson, skills))
     typer.echo(f"\nThe task is in {path}")
-    typer.echo(f"Next: understudy run {path} --world WORLD")
+    for problem in broken:
+        typer.echo(f"It cannot be run as it is: {problem}. Mend the document, or demonstrate it again", err=True)
+    if not broken:
+        typer.echo(f"Next: understudy run {path} --world WORLD")

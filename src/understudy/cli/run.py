@@ -8,8 +8,10 @@ import typer
 
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
+from understudy.cli.rules import broken_rules
 from understudy.cli.tasks import find_task
 from understudy.cli.worlds import find_world
+from understudy.errors import NetworkError
 
 if TYPE_CHECKING:
     from understudy.execution import Decision, Tally
@@ -43,6 +45,9 @@ def command(
             " the room that it was in.",
         ),
     ] = None,
+    unchecked: Annotated[
+        bool, typer.Option("--unchecked", help="Run it even if it can break a rule (understudy language TASK --check).")
+    ] = False,
     as_json: Json = False,
 ) -> None:
     """Executes a task. Exit code 0 if it was done, 1 if not, or not yet."""
@@ -58,6 +63,9 @@ def command(
     document, network = load_task(task)
     skills = installed_skills()
     compile_network(network, skills, source=str(task))  # what does not fit is refused with the file's name
+    broken = [] if unchecked or resume is not None else broken_rules(network)
+    if broken:
+        raise NetworkError(f"{broken[0]}. Mend it, or run it as it is with --unchecked", source=str(task))
     past = None
     if resume is not None:
         if (world, rearrange, seed) != (None, None, None):

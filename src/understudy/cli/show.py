@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from understudy.cli.options import Json
+from understudy.cli.rules import broken_rules
 from understudy.cli.tasks import find_task
 
 if TYPE_CHECKING:
@@ -79,6 +80,8 @@ def _task(source: Path, picture: Path | None, depth: int | None, dot: bool, as_j
         typer.echo(task.model_dump_json(by_alias=True))
     else:
         typer.echo(describe_task(task.name, network, skills))
+        for problem in broken_rules(network):
+            typer.echo(f"This is not run as it is: {problem}.", err=True)
     if picture is not None:
         from understudy.sessions.pictures import picture_task  # noqa: PLC0415
 

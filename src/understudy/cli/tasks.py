@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from understudy.errors import NetworkError
-
 __all__ = ["find_task"]
 
 
@@ -13,15 +11,6 @@ def find_task(name: str | Path) -> Path:
     Raises:
         NetworkError: there is neither.
     """
-    from understudy.network import task_names, task_path  # noqa: PLC0415 - help must come at once
+    from understudy.network import find_task as found  # noqa: PLC0415 - help must come at once
 
-    path = Path(name)
-    if path.exists():
-        return path
-    if str(name) in task_names():
-        return task_path(str(name))
-    if path.suffix:
-        return path  # whoever opens it says what is wrong
-    raise NetworkError(
-        f"there is no such file, and no such task among: {', '.join(task_names()) or 'none'}", source=str(name)
-    )
+    return found(name)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from understudy.figures.words import describe_task
     from understudy.figures.words_conditions import condition_in_words
     from understudy.figures.words_goals import goal_in_words
+    from understudy.figures.words_language import compared_in_words, describe_language, membership_in_words
     from understudy.figures.words_lesson import describe_lesson
 
 __all__ = [
@@ -29,7 +30,9 @@ __all__ = [
     "Place",
     "Trajectory",
     "WhyWords",
+    "compared_in_words",
     "condition_in_words",
+    "describe_language",
     "describe_lesson",
     "describe_task",
     "draw_arena",
@@ -41,6 +44,7 @@ __all__ = [
     "layout",
     "marks_of_cues",
     "marks_of_run",
+    "membership_in_words",
     "numbers_of",
     "save",
     "to_dot",
@@ -61,6 +65,7 @@ _HOMES = {
     "words": ("describe_task",),
     "words_conditions": ("condition_in_words",),
     "words_goals": ("goal_in_words",),
+    "words_language": ("compared_in_words", "describe_language", "membership_in_words"),
     "words_lesson": ("describe_lesson",),
 }
 

@@ -20,11 +20,11 @@ from numpy.typing import NDArray
 from understudy.learning.allen import TABLE_4_1
 from understudy.learning.instants import micros, micros_array
 from understudy.learning.maintenance import departure
-from understudy.learning.naming import component_ids
 from understudy.learning.observations import Observed
 from understudy.learning.pairs import RELATIONS, linked_pairs
 from understudy.learning.settings import LearningSettings
 from understudy.network import Component, Link, LinkEvidence, LinkType, Network, Occurrence
+from understudy.network.naming import component_ids
 
 __all__ = ["construct"]
 

@@ -1,6 +1,6 @@
 """Behavior networks as definitions: components, links, control structures, evidence, the document."""
 
-from understudy.network.bundled import task_names, task_path
+from understudy.network.bundled import find_task, task_names, task_path
 from understudy.network.conditions import (
     Achieved,
     After,
@@ -55,6 +55,7 @@ __all__ = [
     "differences",
     "edited",
     "expand_links",
+    "find_task",
     "flattened",
     "load_task",
     "parse_task",

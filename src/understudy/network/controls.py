@@ -22,7 +22,7 @@ from understudy.network.conditions import (
 if TYPE_CHECKING:
     from understudy.network.definition import Component, Nab, Network
 
-__all__ = ["Repeat", "Switch", "Timeout", "Trigger", "check_controls"]
+__all__ = ["Repeat", "Switch", "Timeout", "Trigger", "check_controls", "check_timeout"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,7 +91,7 @@ def check_controls(part: "Component | Nab", network: "Network", path: str) -> No
         NetworkError: with the place and what would be valid.
     """
     if part.timeout is not None:
-        _check_timeout(part.timeout, f"{path}.timeout")
+        check_timeout(part.timeout, f"{path}.timeout")
     if part.until is not None:
         _check_condition(part.until, network, f"{path}.until")
     if part.trigger is not None:
@@ -101,7 +101,12 @@ def check_controls(part: "Component | Nab", network: "Network", path: str) -> No
         _check_nab(part, network, path)  # type: ignore[arg-type]  # a component has no cases
 
 
-def _check_timeout(timeout: Timeout, path: str) -> None:
+def check_timeout(timeout: Timeout, path: str) -> None:
+    """Refuses a timeout that cannot be meant.
+
+    Raises:
+        NetworkError: its time is no positive number, or the event does not fit what follows.
+    """
     if not (math.isfinite(timeout.seconds) and timeout.seconds > 0):
         raise NetworkError(f"a timeout is a positive number of seconds, given {timeout.seconds!r}", path=path)
     if timeout.then == "signal" and not timeout.event:
