@@ -8,6 +8,7 @@ import typer
 
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
+from understudy.cli.rules import broken_rules
 from understudy.cli.tasks import find_task
 from understudy.cli.worlds import find_world
 
@@ -76,6 +77,8 @@ def command(
             typer.echo(f"The robot bumped into things: {hits}")
         typer.echo(f"Recorded in {practised.recording}, report in {stem.with_suffix('.json')}")
         typer.echo(f"Corrected task in {corrected}" if corrected is not None else "The task is as it was.")
+        for problem in broken_rules(report.network):
+            typer.echo(f"It is not run as it is: {problem}. Practise it again, or mend the document", err=True)
     raise typer.Exit(0 if report.done else 1)
 
 
