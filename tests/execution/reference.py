@@ -66,7 +66,8 @@ Reading 25: a clock runs in every tick after one in which the component was acti
     component that is skipped is achieved, and its links are satisfied whatever their type.
 Reading 26: a duty is asked for by Init with 1 from the moment when it is called (after step 2) until it is achieved, or
     its network is complete. It is due only while it is called. A condition calls when it comes true, a period so long
-    after the network came into use, or after the duty was achieved.
+    after the network came into use, or after the duty was achieved. A network that is called is begun anew, also if
+    `Continue` has kept it active from the call before: it does not count as active in the last tick.
 Reading 27: `until` makes a goal true as long as it is so, and that of an active NAB for good.
 Reading 28: locks: duties and their parts go before all others. For the order, a part is needed by all who need its
     NAB, and not by duties: these come and go.
@@ -385,6 +386,7 @@ class _Tick:
             context.effects[part.path] = False
             context.rounds.pop(part.path, None)
             context.chosen.pop(part.path, None)
+            context.active.discard(part.path)
             self.forget(part)
         context.called.add(part.path)
 

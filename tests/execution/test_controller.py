@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping, Sequence
 from copy import deepcopy
+from dataclasses import replace
 from random import Random
 from typing import Any
 
 from understudy.behaviors import Action, Drive, Instance, Memory, Parameter, Parameters, Skill, SkillSet
 from understudy.behaviors.skill import Actuator
 from understudy.execution import Controller, Decision, Event
-from understudy.network import Component, Link, LinkType, Nab, Network
+from understudy.network import Component, Happened, Link, LinkType, Nab, Network, Trigger
 from understudy.perception import Percepts
 from understudy.robot import PIONEER
 
@@ -248,3 +249,14 @@ def test_a_network_continues_while_one_of_its_parts_does() -> None:
         (0.4, "state", {"state": "searching", "reason": "locked", "by": "first/deep/a"}),
         (0.6, "state", {"state": "executing"}),
     ]
+
+
+def test_a_duty_that_is_called_while_it_is_still_finishing_is_done_again() -> None:
+    part = Scripted("X", [3, 8], on=range(2, 7))
+    duty = replace(
+        Nab.of("duty", Network((Component(id="x", behavior="X"),))), trigger=Trigger(on=Happened(event="bell"))
+    )
+    skills = SkillSet(*(Skill(skill, skill) for skill in (Scripted("M", []), part)))
+    running = Controller(Network((Component(id="main", behavior="M"), duty)), skills, PIONEER)
+    decisions = [running.tick(Percepts(time_s=tick / 10), {"bell"} if tick in (1, 5) else ()) for tick in range(12)]
+    assert [time_s for time_s, kind, _ in told(decisions, "duty") if kind == "achieved"] == [0.3, 0.8]

@@ -193,6 +193,7 @@ class Activation:
             context.effects[row] = False
             context.rounds.pop(row, None)
             context.chosen.pop(row, None)
+            context.active -= {row}  # what Continue may have kept going belongs to the call before
             context.forget(self.program, row)
             self._derive_again()
         else:
