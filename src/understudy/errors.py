@@ -12,6 +12,8 @@ The tree::
     ├── RecordingError       a recording cannot be read or written
     ├── LanguageError        a task's language is too large, or too empty, for what was asked
     ├── LearningError        a demonstration holds nothing that can be learned
+    ├── PlanningError        a goal cannot be read, or means nothing to the skills
+    │   └── NoPlanError      no plan reaches it
     └── MissingExtraError    an optional package is not installed
 
 A message says what was given, what would have been valid, and how to mend it, in one or two lines.
@@ -25,6 +27,8 @@ __all__ = [
     "LearningError",
     "MissingExtraError",
     "NetworkError",
+    "NoPlanError",
+    "PlanningError",
     "RecordingError",
     "RobotError",
     "SkillError",
@@ -84,6 +88,24 @@ class LanguageError(UnderstudyError):
 
 class LearningError(UnderstudyError):
     """A demonstration holds nothing that can be learned."""
+
+
+class PlanningError(UnderstudyError):
+    """A goal cannot be read, or means nothing to the skills."""
+
+
+class NoPlanError(PlanningError):
+    """No plan reaches a goal.
+
+    Args:
+        goal: as it is understood.
+        missing: in words, what stands in the way.
+    """
+
+    def __init__(self, goal: str, missing: tuple[str, ...]) -> None:
+        self.goal = goal
+        self.missing = missing
+        super().__init__("\n  ".join((f"there is no plan for {goal}:", *missing)))
 
 
 class MissingExtraError(UnderstudyError):

@@ -20,10 +20,14 @@ from understudy.behaviors.skill import (
     Strip,
     Worded,
 )
+from understudy.behaviors.symbols import ANY, BOX, TARGET, Fact, Plannable, Way, read_facts
 from understudy.behaviors.wander import Wander
 
 __all__ = [
+    "ANY",
+    "BOX",
     "ENTRY_POINT_GROUP",
+    "TARGET",
     "AbstractBehavior",
     "Action",
     "Actuator",
@@ -31,6 +35,7 @@ __all__ = [
     "Avoid",
     "AvoidSettings",
     "Drive",
+    "Fact",
     "FollowTeacher",
     "Head",
     "Instance",
@@ -38,12 +43,15 @@ __all__ = [
     "Motion",
     "Parameter",
     "Parameters",
+    "Plannable",
     "PrimitiveBehavior",
     "Skill",
     "SkillSet",
     "Strip",
     "Wander",
+    "Way",
     "Worded",
     "installed_skills",
+    "read_facts",
     "unknown_skill",
 ]

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from random import Random
 
 from understudy.behaviors.skill import Action, Actuator, Drive, Instance, Memory, Parameter, Parameters, Skill
+from understudy.behaviors.symbols import BOX, TARGET, Way
 from understudy.perception import Percepts
 
 __all__ = ["DROP", "AbstractDrop", "PrimitiveDrop"]
@@ -16,6 +17,16 @@ class AbstractDrop:
     parameters: tuple[Parameter, ...] = ()
     actuators = frozenset({Actuator.WHEELS, Actuator.GRIPPER})
     maintaining = False
+    ways = (
+        Way(goal="gripper_empty", ends="holding(*), near(*)"),  # it backs off and turns
+        Way(
+            of={"box": BOX, "target": TARGET},
+            goal="gripper_empty",
+            needs="holding(box), near(target)",
+            gives="carried(box, target)",
+            ends="holding(*), near(*)",
+        ),
+    )
 
     def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
         return percepts.gripper is not None and percepts.gripper.empty

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from random import Random
 
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
+from understudy.behaviors.symbols import BOX, Way
 from understudy.geometry import wrap_angle
 from understudy.perception import Percepts, Thing
 from understudy.robot import PIONEER, Color
@@ -29,6 +30,14 @@ class AbstractPickUp:
     parameters = (COLOR,)
     actuators = frozenset({Actuator.WHEELS, Actuator.GRIPPER})
     maintaining = False
+    ways = (
+        Way(
+            of={"color": BOX},
+            goal="holding(color)",
+            needs="gripper_empty",
+            ends="gripper_empty, near(*), carried(color, *)",  # it drives to the box, wherever that stands
+        ),
+    )
 
     def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
         gripper = percepts.gripper

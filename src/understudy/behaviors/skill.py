@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
+from understudy.behaviors.symbols import Plannable, Way
 from understudy.errors import SkillError
 from understudy.geometry import Point, Pose
 from understudy.perception import Attention, Percepts
@@ -259,6 +260,11 @@ class Skill:
     @property
     def name(self) -> str:
         return self.abstract.name
+
+    @property
+    def ways(self) -> tuple[Way, ...]:
+        """How it can be used in a plan; none if it does not say so."""
+        return self.abstract.ways if isinstance(self.abstract, Plannable) else ()
 
     def attention(self, parameters: Parameters) -> Attention:
         """The landmarks that matter with these parameters; none to most skills."""

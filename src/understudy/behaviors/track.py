@@ -7,6 +7,7 @@ from random import Random
 from understudy.behaviors.skill import Action, Actuator, Drive, Head, Instance, Memory, Parameter, Parameters, Skill
 from understudy.behaviors.stand import Stand, choose_direction, stand_at
 from understudy.behaviors.surroundings import surroundings
+from understudy.behaviors.symbols import TARGET, Way
 from understudy.geometry import angle_to_bearing, wrap_angle
 from understudy.perception import Percepts, Thing
 from understudy.robot import TEACHER_COLOR, Color
@@ -25,6 +26,7 @@ class AbstractTrack:
     parameters = (COLOR, DISTANCE, ANGLE)
     actuators = frozenset({Actuator.WHEELS})
     maintaining = False
+    ways = (Way(of={"color": TARGET}, goal="near(color)", gives="visited(color)", ends="near(*)"),)
 
     def goal(self, percepts: Percepts, parameters: Parameters) -> bool:
         color, distance, angle = parameters["color"], parameters["distance_m"], parameters["angle_deg"]

@@ -22,6 +22,7 @@ from understudy.network.document import Task, load_task, parse_task, save_task, 
 from understudy.network.editing import edited, relinked
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
 from understudy.network.flattening import flattened
+from understudy.network.naming import component_ids
 from understudy.network.reduction import expand_links, reduce_links
 
 __all__ = [
@@ -52,6 +53,7 @@ __all__ = [
     "Timeout",
     "Trigger",
     "atoms",
+    "component_ids",
     "differences",
     "edited",
     "expand_links",

@@ -1,0 +1,193 @@
+"""The planning domain: all that the skills can do with the things at hand, one operator for each (§3.3.1)."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+
+from understudy.behaviors import ANY, BOX, TARGET, Fact, Skill, Way, read_facts
+from understudy.errors import SkillError
+from understudy.robot import Color
+
+__all__ = ["EVERYTHING", "Domain", "Facts", "Operator", "Things", "domain_of"]
+
+Facts = frozenset[Fact]
+"""What is so; everything else is not."""
+
+Things = Mapping[str, Sequence[str]]
+"""What there is: colors by kind."""
+
+EVERYTHING: Things = {BOX: tuple(map(str, Color)), TARGET: tuple(map(str, Color))}
+"""A box and a target of each trained color."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Operator:
+    """One use of a skill.
+
+    Attributes:
+        name: unique in its domain; ``Drop(box=orange, target=pink)``.
+        skill: its name.
+        parameters: values of its discrete parameters.
+        goal: what the skill's own goal senses in a running task.
+        needs: must be so when it begins, ``keeps`` among it.
+        keeps: must be so until it is done.
+        gives: is so afterwards, ``goal`` among it.
+        ends: is not so afterwards; nothing that it gives.
+    """
+
+    name: str
+    skill: str
+    parameters: Mapping[str, str] = field(hash=False)
+    goal: Fact
+    needs: Facts
+    keeps: Facts
+    gives: Facts
+    ends: Facts
+
+    def after(self, facts: Facts) -> Facts:
+        """What is so after it, if what it needs was so before."""
+        return (facts - self.ends) | self.gives
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Domain:
+    """What can be done, and said.
+
+    Attributes:
+        things: colors by kind.
+        words: of each word of the skills, what kinds of things it is said of.
+        operators: in the order of the skills' names, then of the things.
+        silent: names of the skills that do not say how they can be used, and so are left out.
+    """
+
+    things: Things
+    words: Mapping[str, tuple[str, ...]]
+    operators: tuple[Operator, ...]
+    silent: tuple[str, ...] = ()
+
+
+def domain_of(skills: Mapping[str, Skill], things: Things = EVERYTHING) -> Domain:
+    """All that the skills can do with some things.
+
+    Args:
+        skills: by name.
+        things: colors by kind.
+
+    Raises:
+        SkillError: what a skill says of itself cannot be read, or has no meaning.
+    """
+    uses = [_read(skills[name], way) for name in sorted(skills) for way in skills[name].ways]
+    words = _words(uses)
+    return Domain(
+        things=things,
+        words=words,
+        operators=tuple(operator for use in uses for operator in _operators(use, things, words)),
+        silent=tuple(name for name in sorted(skills) if not skills[name].ways),
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Use:
+    """A way of a skill, read."""
+
+    skill: str
+    parameters: tuple[str, ...]
+    of: Mapping[str, str]
+    goal: Fact
+    needs: tuple[Fact, ...]
+    keeps: tuple[Fact, ...]
+    gives: tuple[Fact, ...]
+    ends: tuple[Fact, ...]
+
+
+def _read(skill: Skill, way: Way) -> _Use:
+    parameters = tuple(one.name for one in skill.abstract.parameters if one.kind == "color")
+    for name in parameters:
+        if name not in way.of:
+            raise SkillError(
+                f"{skill.name} does not say in 'of' whether its parameter {name!r} is a {BOX} or a {TARGET}"
+            )
+    for name, kind in way.of.items():
+        if kind not in (BOX, TARGET):
+            raise SkillError(f"{skill.name} says in 'of' that {name!r} is a {kind!r}; it is a {BOX} or a {TARGET}")
+    read: dict[str, tuple[Fact, ...]] = {}
+    for part in ("goal", "needs", "keeps", "gives", "ends"):
+        text = getattr(way, part)
+        try:
+            read[part] = read_facts(text)
+        except ValueError as error:
+            raise SkillError(f"{skill.name}: {part!r} is {text!r}, and cannot be read: {error}") from None
+        for fact in read[part]:
+            for thing in fact.things:
+                if thing not in way.of and not (thing == ANY and part == "ends"):
+                    names = ", ".join(way.of) or "none"
+                    raise SkillError(
+                        f"{skill.name} speaks of {fact}, and {thing!r} is no name in 'of'; these are: {names}"
+                    )
+    if len(read["goal"]) != 1:
+        raise SkillError(f"{skill.name}: 'goal' is {way.goal!r}; it is one fact, the one that the skill's goal senses")
+    (goal,) = read.pop("goal")
+    return _Use(skill=skill.name, parameters=parameters, of=way.of, goal=goal, **read)
+
+
+def _words(uses: Iterable[_Use]) -> dict[str, tuple[str, ...]]:
+    """What kinds of things each word is said of, which must be the same everywhere."""
+    words: dict[str, tuple[str, ...]] = {}
+    ended = []
+    for use in uses:
+        for fact in (use.goal, *use.needs, *use.keeps, *use.gives, *use.ends):
+            if ANY in fact.things:
+                ended.append((use, fact))
+            else:
+                kinds = tuple(use.of[thing] for thing in fact.things)
+                _compare(use, Fact(fact.word, kinds), words.setdefault(fact.word, kinds))
+    for use, fact in ended:
+        if fact.word in words:  # else there is no skill that gives it, and so it cannot end
+            known = words[fact.word]
+            kinds = tuple(
+                known[place] if thing == ANY and place < len(known) else use.of.get(thing, ANY)
+                for place, thing in enumerate(fact.things)
+            )
+            _compare(use, Fact(fact.word, kinds), known)
+    return dict(sorted(words.items()))
+
+
+def _compare(use: _Use, said: Fact, known: tuple[str, ...]) -> None:
+    if said.things != known:
+        raise SkillError(
+            f"{use.skill} speaks of {said}, and another skill of {Fact(said.word, known)}; rename one of them"
+        )
+
+
+def _operators(use: _Use, things: Things, words: Mapping[str, tuple[str, ...]]) -> Iterator[Operator]:
+    """One operator for each choice of things."""
+    for values in product(*(things[kind] for kind in use.of.values())):
+        chosen = dict(zip(use.of, values, strict=True))
+
+        def said(*facts: Fact, chosen: Mapping[str, str] = chosen) -> Facts:
+            return frozenset(Fact(fact.word, tuple(chosen[thing] for thing in fact.things)) for fact in facts)
+
+        inside = ", ".join(f"{name}={value}" for name, value in chosen.items())
+        keeps, gives = said(*use.keeps), said(use.goal, *use.gives)
+        (goal,) = said(use.goal)
+        ends = {
+            one for fact in use.ends if fact.word in words for one in _every(fact, chosen, things, words[fact.word])
+        }
+        yield Operator(
+            name=f"{use.skill}({inside})" if inside else use.skill,
+            skill=use.skill,
+            parameters={name: chosen[name] for name in use.parameters},
+            goal=goal,
+            needs=keeps | said(*use.needs),
+            keeps=keeps,
+            gives=gives,
+            ends=frozenset(ends - gives),
+        )
+
+
+def _every(fact: Fact, chosen: Mapping[str, str], things: Things, kinds: Sequence[str]) -> Iterator[Fact]:
+    """The facts for which one with ``*`` stands."""
+    choices = [
+        things[kind] if thing == ANY else (chosen[thing],) for thing, kind in zip(fact.things, kinds, strict=True)
+    ]
+    return (Fact(fact.word, values) for values in product(*choices))

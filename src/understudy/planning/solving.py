@@ -1,0 +1,134 @@
+"""The planner: operators and a goal handed to unified-planning, which knows the engines."""
+
+import importlib
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from understudy.behaviors import Fact
+from understudy.documents import write_new
+from understudy.errors import MissingExtraError, PlanningError
+from understudy.planning.domain import Facts, Operator
+
+if TYPE_CHECKING:
+    from unified_planning.model import Problem
+
+__all__ = ["PLANNERS", "Planner", "solved", "strips", "write_pddl"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Planner:
+    """A planner that unified-planning knows.
+
+    Attributes:
+        package: that must be installed.
+        extra: of this package, which installs it.
+        engine: what unified-planning calls it.
+        settings: so that it finds a plan with the fewest steps, the same one each time.
+    """
+
+    package: str
+    extra: str
+    engine: str
+    settings: Mapping[str, str] = field(default_factory=dict)
+
+
+PLANNERS = {
+    # Its heuristic searches break ties by the order of sets, which Python changes from run to run.
+    "pyperplan": Planner(package="up_pyperplan", extra="plan", engine="pyperplan-opt", settings={"search": "bfs"}),
+    "fast-downward": Planner(package="up_fast_downward", extra="fast-downward", engine="fast-downward-opt"),
+}
+"""By the names that people give them."""
+
+
+def solved(
+    operators: Sequence[Operator], start: Facts, goal: Iterable[Fact], *, planner: str = "pyperplan"
+) -> tuple[str, ...] | None:
+    """The names of the operators of a plan with the fewest steps; None if there is none.
+
+    Raises:
+        PlanningError: there is no planner of this name.
+        MissingExtraError: it is not installed.
+    """
+    goal = tuple(goal)
+    if start.issuperset(goal):
+        return ()
+    if not operators:
+        return None
+    if planner not in PLANNERS:
+        raise PlanningError(f"there is no planner called {planner!r}; there are: {', '.join(PLANNERS)}")
+    chosen = PLANNERS[planner]
+    problem = strips(operators, start, goal)
+    _imported(chosen.package, chosen.extra)
+    with problem.environment.factory.OneshotPlanner(name=chosen.engine, params=dict(chosen.settings)) as engine:
+        plan = engine.solve(problem).plan
+    if plan is None:
+        return None
+    return tuple(operators[_number(action.action.name)].name for action in plan.actions)
+
+
+def strips(operators: Sequence[Operator], start: Facts, goal: Iterable[Fact], *, name: str = "task") -> "Problem":
+    """The problem in unified-planning's terms: plain STRIPS, one action without parameters for each operator.
+
+    Nothing is left for the planner to fill in, since few planners know what ``ends: near(*)`` means.
+
+    Raises:
+        MissingExtraError: unified-planning is not installed.
+    """
+    goal = tuple(goal)
+    up = _imported("unified_planning.shortcuts", "plan")
+    # An environment of its own, for the common one writes whom it thanks into what the command says.
+    environment = _imported("unified_planning.environment", "plan").Environment()
+    environment.credits_stream = None
+    problem = up.Problem(_symbol(word=name), environment=environment)
+    facts = sorted({*start, *goal}.union(*(one.needs | one.gives | one.ends for one in operators)))
+    fluents = {fact: up.Fluent(_symbol(*fact.things, word=fact.word), environment=environment) for fact in facts}
+    for fact, fluent in fluents.items():
+        problem.add_fluent(fluent, default_initial_value=fact in start)
+    for number, one in enumerate(operators):
+        action = up.InstantaneousAction(f"{_symbol(word=one.name)}__{number}", _env=environment)
+        for fact in sorted(one.needs):
+            action.add_precondition(fluents[fact])
+        for fact in sorted(one.gives | one.ends):
+            action.add_effect(fluents[fact], fact in one.gives)
+        problem.add_action(action)
+    for fact in goal:
+        problem.add_goal(fluents[fact])
+    return problem
+
+
+def write_pddl(
+    folder: Path, operators: Sequence[Operator], start: Facts, goal: Iterable[Fact], *, name: str
+) -> tuple[Path, Path]:
+    """Writes ``domain.pddl`` and ``problem.pddl``, for any other planner. Nothing is overwritten.
+
+    Raises:
+        MissingExtraError: unified-planning is not installed.
+        UnderstudyError: one of the files exists, or cannot be written.
+    """
+    writer = _imported("unified_planning.io", "plan").PDDLWriter(strips(operators, start, goal, name=name))
+    folder.mkdir(parents=True, exist_ok=True)
+    files = folder / "domain.pddl", folder / "problem.pddl"
+    for file, text in zip(files, (writer.get_domain(), writer.get_problem()), strict=True):
+        write_new(file, text)
+    return files
+
+
+def _symbol(*things: str, word: str) -> str:
+    """As a name in PDDL, of letters, digits and underscores: ``carried__light_orange__pink``."""
+    return "__".join(re.sub(r"[^a-z0-9]+", "_", part.lower()).strip("_") for part in (word, *things))
+
+
+def _number(action: str) -> int:
+    return int(action.rpartition("__")[2])
+
+
+def _imported(module: str, extra: str) -> Any:
+    try:
+        return importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        raise MissingExtraError(
+            f"{error.name} is not installed, without which nothing can be planned; pip install 'understudy[{extra}]'"
+        ) from None
