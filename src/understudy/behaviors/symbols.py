@@ -19,7 +19,7 @@ BOX, TARGET = "box", "target"
 ANY = "*"
 """In :attr:`Way.ends`: whatever it is said of."""
 
-_FACT = re.compile(r"\s*([A-Za-z]\w*)\s*(?:\(([^()]*)\))?\s*")
+_FACT = re.compile(r"\s*([A-Za-z]\w*)\s*(?:\(([^()]*)\))?\s*", re.ASCII)
 _JOINT = re.compile(r",|and\b", re.IGNORECASE)
 
 
@@ -77,22 +77,24 @@ def read_facts(text: str) -> tuple[Fact, ...]:
     Raises:
         ValueError: it cannot be read; the message says from where on.
     """
+    if not text.strip():
+        return ()
     found: list[Fact] = []
     place = 0
-    while text.strip():
+    while True:
         match = _FACT.match(text, place)
         if match is None or match[1].lower() == "and":
-            raise ValueError(
-                f"a fact is missing at {text[place:].strip()!r}" if text[place:].strip() else "it breaks off"
-            )
-        things = tuple(thing.strip() for thing in match[2].split(",")) if (match[2] or "").strip() else ()
+            rest = text[place:].strip()
+            raise ValueError(f"a fact is missing at {rest!r}" if rest else "it breaks off")
+        inside = (match[2] or "").strip()
+        things = tuple(thing.strip() for thing in inside.split(",")) if inside else ()
         if "" in things:
             raise ValueError(f"something is missing between the brackets of {match[0].strip()!r}")
         found.append(Fact(match[1].lower(), things))
-        if match.end() == len(text):
-            break
-        joint = _JOINT.match(text, match.end())
+        place = match.end()
+        if place == len(text):
+            return tuple(found)
+        joint = _JOINT.match(text, place)
         if joint is None:
-            raise ValueError(f"'and' or a comma is missing before {text[match.end() :]!r}")
+            raise ValueError(f"'and' or a comma is missing before {text[place:]!r}")
         place = joint.end()
-    return tuple(found)

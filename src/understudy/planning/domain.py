@@ -154,9 +154,7 @@ def _words(uses: Iterable[_Use]) -> dict[str, tuple[str, ...]]:
 
 def _compare(use: _Use, said: Fact, known: tuple[str, ...]) -> None:
     if said.things != known:
-        raise SkillError(
-            f"{use.skill} speaks of {said}, and another skill of {Fact(said.word, known)}; rename one of them"
-        )
+        raise SkillError(f"{use.skill} says {said}, and elsewhere it is {Fact(said.word, known)}; rename one of them")
 
 
 def _operators(use: _Use, things: Things, words: Mapping[str, tuple[str, ...]]) -> Iterator[Operator]:

@@ -22,7 +22,8 @@ def unreachable(domain: Domain, start: Facts, goal: Sequence[Fact]) -> tuple[str
     facts, told = reachable(domain, start), set(start)
     lines = [line for fact in goal if fact not in facts for line in _because(domain, facts, fact, told)]
     if lines and domain.silent:
-        lines.append(f"nothing can be planned with {', '.join(domain.silent)}: they do not say what they need and give")
+        say = "it does not say what it needs and gives" if len(domain.silent) == 1 else "they do not say what they need"
+        lines.append(f"nothing can be planned with {', '.join(domain.silent)}: {say}")
     return tuple(lines)
 
 

@@ -49,24 +49,26 @@ def solved(
     """The names of the operators of a plan with the fewest steps; None if there is none.
 
     Raises:
-        PlanningError: there is no planner of this name.
+        PlanningError: there is no planner of this name, or it cannot tell.
         MissingExtraError: it is not installed.
     """
-    goal = tuple(goal)
+    if planner not in PLANNERS:
+        raise PlanningError(f"there is no planner called {planner!r}; there are: {', '.join(PLANNERS)}")
+    chosen, goal = PLANNERS[planner], tuple(goal)
     if start.issuperset(goal):
         return ()
     if not operators:
         return None
-    if planner not in PLANNERS:
-        raise PlanningError(f"there is no planner called {planner!r}; there are: {', '.join(PLANNERS)}")
-    chosen = PLANNERS[planner]
     problem = strips(operators, start, goal)
     _imported(chosen.package, chosen.extra)
+    problem.environment.credits_stream = None  # else it writes whom it thanks among what the command says
     with problem.environment.factory.OneshotPlanner(name=chosen.engine, params=dict(chosen.settings)) as engine:
-        plan = engine.solve(problem).plan
-    if plan is None:
-        return None
-    return tuple(operators[_number(action.action.name)].name for action in plan.actions)
+        result = engine.solve(problem)
+    if result.plan is not None:
+        return tuple(operators[int(action.action.name.rpartition("__")[2])].name for action in result.plan.actions)
+    if not result.status.name.startswith("UNSOLVABLE"):
+        raise PlanningError(f"{planner} gave up ({result.status.name}); try another: {', '.join(PLANNERS)}")
+    return None
 
 
 def strips(operators: Sequence[Operator], start: Facts, goal: Iterable[Fact], *, name: str = "task") -> "Problem":
@@ -79,16 +81,13 @@ def strips(operators: Sequence[Operator], start: Facts, goal: Iterable[Fact], *,
     """
     goal = tuple(goal)
     up = _imported("unified_planning.shortcuts", "plan")
-    # An environment of its own, for the common one writes whom it thanks into what the command says.
-    environment = _imported("unified_planning.environment", "plan").Environment()
-    environment.credits_stream = None
-    problem = up.Problem(_symbol(word=name), environment=environment)
+    problem = up.Problem(_symbol(word=name) or "task")
     facts = sorted({*start, *goal}.union(*(one.needs | one.gives | one.ends for one in operators)))
-    fluents = {fact: up.Fluent(_symbol(*fact.things, word=fact.word), environment=environment) for fact in facts}
+    fluents = {fact: up.Fluent(_symbol(*fact.things, word=fact.word)) for fact in facts}
     for fact, fluent in fluents.items():
         problem.add_fluent(fluent, default_initial_value=fact in start)
     for number, one in enumerate(operators):
-        action = up.InstantaneousAction(f"{_symbol(word=one.name)}__{number}", _env=environment)
+        action = up.InstantaneousAction(f"{_symbol(word=one.name)}__{number}")
         for fact in sorted(one.needs):
             action.add_precondition(fluents[fact])
         for fact in sorted(one.gives | one.ends):
@@ -119,10 +118,6 @@ def write_pddl(
 def _symbol(*things: str, word: str) -> str:
     """As a name in PDDL, of letters, digits and underscores: ``carried__light_orange__pink``."""
     return "__".join(re.sub(r"[^a-z0-9]+", "_", part.lower()).strip("_") for part in (word, *things))
-
-
-def _number(action: str) -> int:
-    return int(action.rpartition("__")[2])
 
 
 def _imported(module: str, extra: str) -> Any:
