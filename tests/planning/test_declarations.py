@@ -142,3 +142,14 @@ def test_somebody_elses_skill_that_keeps_what_another_gives():
         assert found[pick_up, f"wipe-{color}-1"] is LinkType.PERMANENT
         assert found[f"track-{color}-1", f"wipe-{color}-1"] is LinkType.ENABLING
         assert (pick_up, f"track-{color}-1") not in found or found[pick_up, f"track-{color}-1"] is not LinkType.ENABLING
+
+
+@pytest.mark.parametrize("keeps", [False, True])
+def test_only_what_a_running_task_senses_is_asked_for_again(keeps):
+    """That a target was visited is known from its step alone; that the robot is near it is sensed."""
+    visited = {"keeps": "visited(first)"} if keeps else {"needs": "visited(first)"}
+    tell = skill("Tell", Way(of={"first": "target"}, goal="told(first)", **visited), colors=("first",))
+    network = plan_task(planning_problem("told(green)", SkillSet(*SKILLS.values(), tell))).network
+    assert [(link.source, link.target, link.type) for link in network.links] == [
+        ("track-green-1", "tell-green-1", LinkType.ORDERING)
+    ]

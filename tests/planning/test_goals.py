@@ -93,3 +93,10 @@ def test_skills_that_wait_for_each_other():
         "egg is given by Hatch, which needs hen",
         "hen is given by Lay, which needs egg",
     )
+
+
+def test_of_several_ways_the_one_that_lacks_least_is_told():
+    hatch = skill("Hatch", Way(goal="egg", needs="hen, cock, nest"), Way(goal="egg", needs="hen"), Way(goal="nest"))
+    with pytest.raises(NoPlanError) as caught:
+        plan_task(planning_problem("egg", SkillSet(hatch)))
+    assert caught.value.missing == ("egg is given by Hatch, which needs hen", "no skill gives hen")

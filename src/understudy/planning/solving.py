@@ -36,7 +36,8 @@ class Planner:
 
 
 PLANNERS = {
-    # Its heuristic searches break ties by the order of sets, which Python changes from run to run.
+    # Its best heuristic for shortest plans lets the order of sets settle ties, which Python changes from run to run.
+    # And of what matters for a goal there is little: breadth-first search soon sees that there is no plan.
     "pyperplan": Planner(package="up_pyperplan", extra="plan", engine="pyperplan-opt", settings={"search": "bfs"}),
     "fast-downward": Planner(package="up_fast_downward", extra="fast-downward", engine="fast-downward-opt"),
 }
