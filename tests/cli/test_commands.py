@@ -54,7 +54,8 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_help_names_every_command(tmp_path: Path) -> None:
     help_ = understudy("--help", folder=tmp_path).stdout
-    for command in ("demo", "teach", "learn", "run", "practice", "show", "explain", "language", "schema", "doctor"):
+    commands = ("demo", "teach", "learn", "plan", "run", "practice", "show", "explain", "language", "schema", "doctor")
+    for command in commands:
         assert f"\n  {command}" in help_
         assert "Usage:" in understudy(command, "--help", folder=tmp_path).stdout
 
@@ -211,7 +212,7 @@ def test_schema(tmp_path: Path, document: str) -> None:
 def test_doctor(tmp_path: Path) -> None:
     findings = json.loads(understudy("doctor", "--json", folder=tmp_path).stdout)
     assert all(finding["ok"] for finding in findings)
-    assert {"simulated robot", "skills", "mujoco-core"} <= {finding["what"] for finding in findings}
+    assert {"simulated robot", "skills", "mujoco-core", "up-pyperplan"} <= {finding["what"] for finding in findings}
 
 
 def test_a_document_of_intervals(tmp_path: Path) -> None:

@@ -16,19 +16,18 @@ ASKED = PROBLEM.operators(PROBLEM.goal), PROBLEM.start, PROBLEM.goal
 
 
 @pytest.mark.parametrize(
-    ("planner", "gone", "extra"),
+    ("planner", "gone", "mend"),
     [
-        ("pyperplan", "unified_planning.shortcuts", "plan"),
-        ("pyperplan", "up_pyperplan", "plan"),
-        ("fast-downward", "up_fast_downward", "fast-downward"),
+        ("pyperplan", "unified_planning.shortcuts", "unified-planning up-pyperplan (the extra 'plan')"),
+        ("pyperplan", "up_pyperplan", "unified-planning up-pyperplan (the extra 'plan')"),
+        ("fast-downward", "up_fast_downward", "unified-planning up-fast-downward (the extra 'fast-downward')"),
     ],
 )
-def test_a_missing_extra_is_one_clear_line(planner, gone, extra, monkeypatch):
+def test_a_missing_extra_is_one_clear_line(planner, gone, mend, monkeypatch):
     monkeypatch.setitem(sys.modules, gone, None)
     with pytest.raises(MissingExtraError) as caught:
         plan_task(PROBLEM, planner=planner)
-    expected = f"{gone} is not installed, without which nothing can be planned; pip install 'understudy[{extra}]'"
-    assert str(caught.value) == expected
+    assert str(caught.value) == f"planning needs {gone.partition('.')[0]}, which is not installed; pip install {mend}"
 
 
 def test_an_unknown_planner():

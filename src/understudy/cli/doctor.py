@@ -24,11 +24,22 @@ _NEEDED = {
     "rich": "progress bars",
     "pyyaml": "documents",
 }
+_OPTIONAL = {
+    "unified-planning": "tasks from goals",
+    "up-pyperplan": "tasks from goals",
+    "up-fast-downward": "tasks from goals, another planner",
+}
 
 
 def command(as_json: Json = False) -> None:
     """Checks the installation. Exit code 1 if something is missing."""
-    findings = [_python(), *(_package(name, purpose) for name, purpose in _NEEDED.items()), _simulator(), _skills()]
+    findings = [
+        _python(),
+        *(_package(name, purpose) for name, purpose in _NEEDED.items()),
+        *(_extra(name, purpose) for name, purpose in _OPTIONAL.items()),
+        _simulator(),
+        _skills(),
+    ]
     if as_json:
         typer.echo(json.dumps(findings))
     else:
@@ -52,6 +63,14 @@ def _package(name: str, purpose: str) -> dict[str, object]:
         return _finding(name, True, f"{version(name)} ({purpose})")
     except PackageNotFoundError:
         return _finding(name, False, f"missing ({purpose})", "install understudy anew: pip install understudy")
+
+
+def _extra(name: str, purpose: str) -> dict[str, object]:
+    """A package without which only its purpose is missing."""
+    try:
+        return _finding(name, True, f"{version(name)} ({purpose})")
+    except PackageNotFoundError:
+        return _finding(name, True, f"not installed ({purpose}): pip install {name}")
 
 
 def _simulator() -> dict[str, object]:

@@ -3,6 +3,7 @@
 from understudy.planning.deordering import GOAL, START, CausalLink, PartialOrder, Threat, deordered
 from understudy.planning.domain import EVERYTHING, Domain, Facts, Operator, Things, domain_of
 from understudy.planning.goals import goal_name, in_words, read_goal
+from understudy.planning.loosening import loosened
 from understudy.planning.missing import conflicts, reachable, unreachable
 from understudy.planning.networks import Reason, network_of, reasons_of
 from understudy.planning.planner import Plan, PlanningProblem, plan_task, planning_problem
@@ -30,6 +31,7 @@ __all__ = [
     "domain_of",
     "goal_name",
     "in_words",
+    "loosened",
     "network_of",
     "plan_task",
     "planning_problem",

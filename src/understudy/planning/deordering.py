@@ -9,7 +9,7 @@ A planner puts steps one after the other, also those between which nothing deman
 
 The steps are ordered by their causal links and threats, and by nothing else. Since no causal link can be broken in any
 order that keeps these, every such order is a plan, too. Steps that nobody needs are left out. It is a deordering in the
-sense of Bäckström: orders are only taken away, so it need not be the freest plan that there is.
+sense of Bäckström: orders are only taken away; another order of the steps may leave more freedom.
 """
 
 from collections.abc import Sequence

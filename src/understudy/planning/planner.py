@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from understudy.behaviors import Fact, Skill
 from understudy.errors import NoPlanError, PlanningError
 from understudy.network import Network
-from understudy.planning.deordering import PartialOrder, deordered
+from understudy.planning.deordering import PartialOrder
 from understudy.planning.domain import EVERYTHING, Domain, Facts, Operator, Things, domain_of
 from understudy.planning.goals import goal_name, in_words, read_goal
+from understudy.planning.loosening import loosened
 from understudy.planning.missing import conflicts, unreachable
 from understudy.planning.networks import network_of
 from understudy.planning.relevance import relevant
@@ -107,5 +108,5 @@ def plan_task(problem: PlanningProblem, *, planner: str = "pyperplan") -> Plan:
     if not names:
         raise PlanningError(f"there is nothing to do for {problem}: it is given")
     by_name = {one.name: one for one in problem.domain.operators}
-    steps = deordered([by_name[name] for name in names], problem.start, frozenset(problem.goal))
+    steps = loosened([by_name[name] for name in names], problem.start, frozenset(problem.goal))
     return Plan(problem=problem, steps=steps, network=network_of(steps))

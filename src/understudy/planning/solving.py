@@ -35,6 +35,8 @@ class Planner:
     settings: Mapping[str, str] = field(default_factory=dict)
 
 
+_EXTRAS = {"plan": "unified-planning up-pyperplan", "fast-downward": "unified-planning up-fast-downward"}
+
 PLANNERS = {
     # Its best heuristic for shortest plans lets the order of sets settle ties, which Python changes from run to run.
     # And of what matters for a goal there is little: breadth-first search soon sees that there is no plan.
@@ -125,6 +127,7 @@ def _imported(module: str, extra: str) -> Any:
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:
+        missing = str(error.name).partition(".")[0]
         raise MissingExtraError(
-            f"{error.name} is not installed, without which nothing can be planned; pip install 'understudy[{extra}]'"
+            f"planning needs {missing}, which is not installed; pip install {_EXTRAS[extra]} (the extra {extra!r})"
         ) from None
