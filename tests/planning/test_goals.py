@@ -49,6 +49,14 @@ def test_a_goal_without_meaning(text, complaint):
     assert complaint in str(caught.value)
 
 
+def test_skills_that_say_nothing_are_named_where_a_word_is_not_known():
+    domain = domain_of(SkillSet(*SKILLS.values(), mute("Whistle"), mute("Hum")), THINGS)
+    with pytest.raises(
+        PlanningError, match=r"nothing can be planned with Hum, Whistle: they do not say what they need$"
+    ):
+        read_goal("whistled", domain)
+
+
 def test_a_name_for_the_task():
     facts = [Fact("near", (color,)) for color in ("red", "green", "pink", "blue", "yellow")]
     assert goal_name((Fact("carried", ("light green", "pink")), *facts[:1])) == "carried light green pink and near red"

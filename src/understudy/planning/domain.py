@@ -65,6 +65,14 @@ class Domain:
     operators: tuple[Operator, ...]
     silent: tuple[str, ...] = ()
 
+    @property
+    def silence(self) -> tuple[str, ...]:
+        """That nothing can be planned with these, as a sentence, if there are any."""
+        if not self.silent:
+            return ()
+        say = "it does not say what it needs and gives" if len(self.silent) == 1 else "they do not say what they need"
+        return (f"nothing can be planned with {', '.join(self.silent)}: {say}",)
+
 
 def domain_of(skills: Mapping[str, Skill], things: Things = EVERYTHING) -> Domain:
     """All that the skills can do with some things.

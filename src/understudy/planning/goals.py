@@ -63,7 +63,7 @@ def _known(fact: Fact, domain: Domain) -> Fact:
 
 def _sayable(domain: Domain) -> str:
     said = ", ".join(str(Fact(word, kinds)) for word, kinds in domain.words.items())
-    return f"what can be said is: {said or 'nothing'}"
+    return "; ".join((f"what can be said is: {said or 'nothing'}", *domain.silence))
 
 
 def _example(domain: Domain) -> str:

@@ -21,10 +21,7 @@ def unreachable(domain: Domain, start: Facts, goal: Sequence[Fact]) -> tuple[str
     """In words, what of a goal cannot come about, down to what no skill gives; nothing if all of it can."""
     facts, told = reachable(domain, start), set(start)
     lines = [line for fact in goal if fact not in facts for line in _because(domain, facts, fact, told)]
-    if lines and domain.silent:
-        say = "it does not say what it needs and gives" if len(domain.silent) == 1 else "they do not say what they need"
-        lines.append(f"nothing can be planned with {', '.join(domain.silent)}: {say}")
-    return tuple(lines)
+    return (*lines, *domain.silence) if lines else ()
 
 
 def conflicts(goal: Sequence[Fact], possible: Callable[[Sequence[Fact]], bool]) -> tuple[str, ...]:
