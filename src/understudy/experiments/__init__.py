@@ -4,6 +4,7 @@ from understudy.experiments.delivery import DeliveryTrial, delivery_tables, deli
 from understudy.experiments.delivery_rooms import CONDITIONS, Condition
 from understudy.experiments.hierarchical import hierarchical_tables, hierarchical_trials, links_with_init, visits
 from understudy.experiments.judging import problems_of
+from understudy.experiments.planned import planned_tables, planned_trials
 from understudy.experiments.registry import EXPERIMENTS, Experiment
 from understudy.experiments.trials import (
     Summary,
@@ -31,6 +32,8 @@ __all__ = [
     "hierarchical_tables",
     "hierarchical_trials",
     "links_with_init",
+    "planned_tables",
+    "planned_trials",
     "problems_of",
     "run_trials",
     "structure",

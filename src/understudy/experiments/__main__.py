@@ -6,6 +6,7 @@ from itertools import groupby
 
 os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")  # as the command line has it; read when OpenCV is loaded
 
+from understudy.errors import MissingExtraError
 from understudy.experiments.registry import EXPERIMENTS
 from understudy.experiments.trials import Trial, summarise
 
@@ -31,15 +32,19 @@ def main() -> None:
     told: list[str] = []
     for name in names:
         trials: list[Trial] = []
-        for room, grouped in groupby(EXPERIMENTS[name].trials(seeds), key=lambda trial: trial.room):
-            in_room = list(grouped)
-            trials += in_room
-            found = summarise(in_room)
-            print(
-                f"| {name} | {room} | {found.successes} of {found.trials} | {found.low:.0%} to {found.high:.0%} "
-                f"| {found.mean_time_s:.0f} s | {found.slowest_s:.0f} s | {found.collisions} | {found.grazes} |",
-                flush=True,
-            )
+        try:
+            for room, grouped in groupby(EXPERIMENTS[name].trials(seeds), key=lambda trial: trial.room):
+                in_room = list(grouped)
+                trials += in_room
+                found = summarise(in_room)
+                print(
+                    f"| {name} | {room} | {found.successes} of {found.trials} | {found.low:.0%} to {found.high:.0%} "
+                    f"| {found.mean_time_s:.0f} s | {found.slowest_s:.0f} s | {found.collisions} | {found.grazes} |",
+                    flush=True,
+                )
+        except MissingExtraError as error:
+            told += ["", f"{name} was left out: {error}"]
+            continue
         all_trials += trials
         if lines := list(EXPERIMENTS[name].tables(trials)):
             told += ["", f"{name}:", "", *lines]
