@@ -80,6 +80,19 @@ def test_three_that_cannot_be_so_together_though_two_can():
     assert caught.value.missing == ("cup and plate and spoon cannot be so together, though any 2 of them can",)
 
 
+def test_a_skill_that_needs_what_cannot_be_so_together():
+    clap = skill("Clap", Way(of={"one": "box", "other": "box"}, goal="clapped", needs="holding(one), holding(other)"))
+    skills, things = SkillSet(*SKILLS.values(), clap), {"box": ("pink", "red"), "target": ("red",)}
+    plan_task(planning_problem("clapped", skills, things))  # with one box, which is both
+    strict = skill("Clap", Way(goal="clapped", needs="in_left and in_right"))
+    hands = [skill(f"Put{hand}", Way(goal=hand, ends="in_left, in_right")) for hand in ("in_left", "in_right")]
+    with pytest.raises(NoPlanError) as caught:
+        plan_task(planning_problem("clapped", SkillSet(strict, *hands)))
+    assert caught.value.missing == (
+        "clapped is given by Clap, and what it needs cannot be so together: in_left and in_right",
+    )
+
+
 def test_a_skill_that_is_missing():
     without = SkillSet(SKILLS["Drop"], SKILLS["Track"], mute("Whistle"))
     with pytest.raises(NoPlanError) as caught:

@@ -46,7 +46,8 @@ class Way:
 
     Attributes:
         of: the names that stand in the facts, with what kind of thing each stands for: :data:`BOX` or :data:`TARGET`.
-            Those of the skill's parameters that are colors are among them; others stand for anything of the kind.
+            Those of the skill's parameters that are colors are among them; others stand for anything of the kind. Two
+            names may stand for one thing.
         goal: one fact, the one that the skill's own goal senses while a task is running.
         needs: must be so when it begins.
         keeps: must be so from its beginning until its goal is reached.

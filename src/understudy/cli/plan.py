@@ -58,6 +58,8 @@ def command(
     except NoPlanError as error:
         if as_json:
             typer.echo(json.dumps({"goal": str(problem), "task": None, "missing": list(error.missing)}))
+        else:
+            _say_written(written)
         typer.echo(f"understudy: {error}", err=True)
         raise typer.Exit(1) from None
     network = plan.network
@@ -82,9 +84,13 @@ def command(
         return
     typer.echo(describe_task(name, network, skills))
     typer.echo()
-    for file in written:
-        typer.echo(f"Wrote {file}")
+    _say_written(written)
     typer.echo(f"Next: understudy run {path} --world {world or 'WORLD'}")
+
+
+def _say_written(files: list[Path]) -> None:
+    for file in files:
+        typer.echo(f"Wrote {file}")
 
 
 def _things(world: str) -> "Things":

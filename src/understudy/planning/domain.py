@@ -1,11 +1,11 @@
 """The planning domain: all that the skills can do with the things at hand, one operator for each (§3.3.1)."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 
-from understudy.behaviors import ANY, BOX, TARGET, Fact, Skill, Way, read_facts
-from understudy.errors import SkillError
+from understudy.behaviors import ANY, BOX, TARGET, Fact, Skill
+from understudy.planning.declarations import Use, read_use, words_of
 from understudy.robot import Color
 
 __all__ = ["EVERYTHING", "Domain", "Facts", "Operator", "Things", "domain_of"]
@@ -84,8 +84,8 @@ def domain_of(skills: Mapping[str, Skill], things: Things = EVERYTHING) -> Domai
     Raises:
         SkillError: what a skill says of itself cannot be read, or has no meaning.
     """
-    uses = [_read(skills[name], way) for name in sorted(skills) for way in skills[name].ways]
-    words = _words(uses)
+    uses = [read_use(skills[name], way) for name in sorted(skills) for way in skills[name].ways]
+    words = words_of(uses)
     return Domain(
         things=things,
         words=words,
@@ -94,78 +94,7 @@ def domain_of(skills: Mapping[str, Skill], things: Things = EVERYTHING) -> Domai
     )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Use:
-    """A way of a skill, read."""
-
-    skill: str
-    parameters: tuple[str, ...]
-    of: Mapping[str, str]
-    goal: Fact
-    needs: tuple[Fact, ...]
-    keeps: tuple[Fact, ...]
-    gives: tuple[Fact, ...]
-    ends: tuple[Fact, ...]
-
-
-def _read(skill: Skill, way: Way) -> _Use:
-    parameters = tuple(one.name for one in skill.abstract.parameters if one.kind == "color")
-    for name in parameters:
-        if name not in way.of:
-            raise SkillError(
-                f"{skill.name} does not say in 'of' whether its parameter {name!r} is a {BOX} or a {TARGET}"
-            )
-    for name, kind in way.of.items():
-        if kind not in (BOX, TARGET):
-            raise SkillError(f"{skill.name} says in 'of' that {name!r} is a {kind!r}; it is a {BOX} or a {TARGET}")
-    read: dict[str, tuple[Fact, ...]] = {}
-    for part in ("goal", "needs", "keeps", "gives", "ends"):
-        text = getattr(way, part)
-        try:
-            read[part] = read_facts(text)
-        except ValueError as error:
-            raise SkillError(f"{skill.name}: {part!r} is {text!r}, and cannot be read: {error}") from None
-        for fact in read[part]:
-            for thing in fact.things:
-                if thing not in way.of and not (thing == ANY and part == "ends"):
-                    names = ", ".join(way.of) or "none"
-                    raise SkillError(
-                        f"{skill.name} speaks of {fact}, and {thing!r} is no name in 'of'; these are: {names}"
-                    )
-    if len(read["goal"]) != 1:
-        raise SkillError(f"{skill.name}: 'goal' is {way.goal!r}; it is one fact, the one that the skill's goal senses")
-    (goal,) = read.pop("goal")
-    return _Use(skill=skill.name, parameters=parameters, of=way.of, goal=goal, **read)
-
-
-def _words(uses: Iterable[_Use]) -> dict[str, tuple[str, ...]]:
-    """What kinds of things each word is said of, which must be the same everywhere."""
-    words: dict[str, tuple[str, ...]] = {}
-    ended = []
-    for use in uses:
-        for fact in (use.goal, *use.needs, *use.keeps, *use.gives, *use.ends):
-            if ANY in fact.things:
-                ended.append((use, fact))
-            else:
-                kinds = tuple(use.of[thing] for thing in fact.things)
-                _compare(use, Fact(fact.word, kinds), words.setdefault(fact.word, kinds))
-    for use, fact in ended:
-        if fact.word in words:  # else there is no skill that gives it, and so it cannot end
-            known = words[fact.word]
-            kinds = tuple(
-                known[place] if thing == ANY and place < len(known) else use.of.get(thing, ANY)
-                for place, thing in enumerate(fact.things)
-            )
-            _compare(use, Fact(fact.word, kinds), known)
-    return dict(sorted(words.items()))
-
-
-def _compare(use: _Use, said: Fact, known: tuple[str, ...]) -> None:
-    if said.things != known:
-        raise SkillError(f"{use.skill} says {said}, and elsewhere it is {Fact(said.word, known)}; rename one of them")
-
-
-def _operators(use: _Use, things: Things, words: Mapping[str, tuple[str, ...]]) -> Iterator[Operator]:
+def _operators(use: Use, things: Things, words: Mapping[str, tuple[str, ...]]) -> Iterator[Operator]:
     """One operator for each choice of things."""
     for values in product(*(things[kind] for kind in use.of.values())):
         chosen = dict(zip(use.of, values, strict=True))

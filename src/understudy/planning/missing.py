@@ -24,22 +24,27 @@ def unreachable(domain: Domain, start: Facts, goal: Sequence[Fact]) -> tuple[str
     return (*lines, *domain.silence) if lines else ()
 
 
-def conflicts(goal: Sequence[Fact], possible: Callable[[Sequence[Fact]], bool]) -> tuple[str, ...]:
-    """In words, which smallest parts of a goal cannot be so together, though each fact can be reached.
+def conflicts(domain: Domain, goal: Sequence[Fact], possible: Callable[[Sequence[Fact]], bool]) -> tuple[str, ...]:
+    """In words, which smallest parts of a goal no plan reaches, though all could come about if nothing ever ended.
 
     Args:
+        domain: what can be done.
         goal: no plan reaches all of it.
         possible: whether a plan reaches a part of it.
     """
-    for size in range(2, len(goal)):
+    for size in range(1, len(goal)):
         if found := [part for part in combinations(goal, size) if not possible(part)]:
-            return tuple(_together(part) for part in found)
-    return (_together(goal),)
+            return tuple(_never(domain, part) for part in found)
+    return (_never(domain, goal),)
 
 
-def _together(part: Sequence[Fact]) -> str:
-    fewer = "each of them" if len(part) == 2 else f"any {len(part) - 1} of them"
-    return f"{' and '.join(map(str, part))} cannot be so together, though {fewer} can"
+def _never(domain: Domain, part: Sequence[Fact]) -> str:
+    if len(part) > 1:
+        fewer = "each of them" if len(part) == 2 else f"any {len(part) - 1} of them"
+        return f"{' and '.join(map(str, part))} cannot be so together, though {fewer} can"
+    giver = next(one for one in domain.operators if part[0] in one.gives)
+    needed = " and ".join(map(str, sorted(giver.needs)))
+    return f"{part[0]} is given by {giver.skill}, and what it needs cannot be so together: {needed}"
 
 
 def _because(domain: Domain, facts: Facts, fact: Fact, told: set[Fact]) -> Iterator[str]:

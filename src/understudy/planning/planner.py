@@ -104,7 +104,7 @@ def plan_task(problem: PlanningProblem, *, planner: str = "pyperplan") -> Plan:
 
     names = solve(problem.goal)
     if names is None:
-        raise NoPlanError(str(problem), conflicts(problem.goal, lambda part: solve(part) is not None))
+        raise NoPlanError(str(problem), conflicts(problem.domain, problem.goal, lambda part: solve(part) is not None))
     if not names:
         raise PlanningError(f"there is nothing to do for {problem}: it is given")
     by_name = {one.name: one for one in problem.domain.operators}
