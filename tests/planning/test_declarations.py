@@ -7,15 +7,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from understudy.behaviors import Fact, SkillSet, Way, installed_skills, read_facts
+from understudy.behaviors import Fact, Parameter, Skill, SkillSet, Way, installed_skills, read_facts
 from understudy.errors import SkillError
 from understudy.network import LinkType
 from understudy.planning import domain_of, plan_task, planning_problem
 
-from .made_up import mute, skill
+from .made_up import MadeUp, Still, mute, skill
 from .strategies import THINGS
 
-SKILLS = installed_skills()
+SKILLS = SkillSet(*(installed_skills()[name] for name in ("Drop", "PickUp", "Track")))
 
 name = st.from_regex(r"[a-z][a-z0-9_]{0,5}", fullmatch=True).filter(lambda text: text != "and")
 facts = st.lists(st.builds(Fact, name, st.lists(name, max_size=3).map(tuple)), max_size=4).map(tuple)
@@ -118,6 +118,12 @@ def test_a_declaration_without_meaning_is_refused(ways, complaint):
     with pytest.raises(SkillError) as caught:
         domain_of(SkillSet(*SKILLS.values(), skill("Wash", *ways, colors=("color",))), THINGS)
     assert complaint in str(caught.value)
+
+
+def test_a_number_that_a_plan_would_have_to_choose_is_refused():
+    wait = MadeUp("Wait", (Way(goal="waited"),), (Parameter(name="time_s", kind="number", high=9.0),))
+    with pytest.raises(SkillError, match="Wait: a plan cannot choose 'time_s', which is no color; give it a default"):
+        domain_of(SkillSet(Skill(wait, Still())), THINGS)
 
 
 def test_a_skill_that_says_nothing_is_left_out():

@@ -9,7 +9,7 @@ from understudy.planning import domain_of, goal_name, plan_task, planning_proble
 from .made_up import mute, skill
 from .strategies import THINGS
 
-SKILLS = installed_skills()
+SKILLS = SkillSet(*(installed_skills()[name] for name in ("Drop", "PickUp", "Track")))
 DOMAIN = domain_of(SKILLS, THINGS)
 
 

@@ -15,7 +15,7 @@ class Use:
 
     Attributes:
         skill: its name.
-        parameters: names of its discrete parameters, which are among those in ``of``.
+        parameters: names of those that a plan chooses, which are among those in ``of``.
         of, goal, needs, keeps, gives, ends: as in :class:`~understudy.behaviors.Way`.
     """
 
@@ -35,7 +35,11 @@ def read_use(skill: Skill, way: Way) -> Use:
     Raises:
         SkillError: it cannot be read, or names what it does not explain.
     """
-    parameters = tuple(one.name for one in skill.abstract.parameters if one.kind == "color")
+    chosen = [one for one in skill.abstract.parameters if one.default is None]
+    for one in chosen:
+        if one.kind != "color":
+            raise SkillError(f"{skill.name}: a plan cannot choose {one.name!r}, which is no color; give it a default")
+    parameters = tuple(one.name for one in chosen)
     for name in parameters:
         if name not in way.of:
             raise SkillError(
