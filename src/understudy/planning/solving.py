@@ -62,8 +62,9 @@ def solved(
         return ()
     if not operators:
         return None
-    problem = strips(operators, start, goal)
+    # First of all: unified-planning looks once for the planners that there are, as soon as it is used.
     _imported(chosen.package, chosen.extra)
+    problem = strips(operators, start, goal)
     problem.environment.credits_stream = None  # else it writes whom it thanks among what the command says
     with problem.environment.factory.OneshotPlanner(name=chosen.engine, params=dict(chosen.settings)) as engine:
         result = engine.solve(problem)
