@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from understudy.behaviors import Fact, installed_skills
 from understudy.errors import NoPlanError, PlanningError
 from understudy.execution import compile_network
+from understudy.language import violations
 from understudy.network import LinkType
 from understudy.planning import (
     PlanningProblem,
@@ -148,6 +149,13 @@ def test_what_is_no_plan_is_refused():
         deordered([by_name["PickUp(color=pink)"]], frozenset(), frozenset())
     with pytest.raises(ValueError, match=r"near\(pink\) is not so at the end"):
         deordered([], frozenset(), frozenset({Fact("near", ("pink",))}))
+
+
+@pytest.mark.parametrize(
+    "goal", ["carried(orange, pink), carried(red, green), visited(blue)", "holding(red), near(pink)"]
+)
+def test_a_planned_task_keeps_the_rule_that_a_drop_comes_before_each_pick_up(goal):
+    assert violations(plan_task(planning_problem(goal, SKILLS)).network) == []
 
 
 def test_every_link_has_its_reasons():
