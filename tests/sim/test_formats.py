@@ -89,7 +89,7 @@ def test_the_intervals_show_every_kind_of_link_and_lose_no_step() -> None:
 
 def test_the_intervals_that_are_skills_can_be_executed() -> None:
     network = learn(parse_intervals(example("intervals/1", 1))).network
-    assert len(network.components) == 4
+    assert len(network.components) == 5
     for component in network.components:
         installed_skills()[component.behavior].complete(component.parameters)
     links = {(link.source, link.target): link.type for link in network.links}
