@@ -11,7 +11,7 @@ The tree::
     ├── RobotError           the robot's readings cannot be used, or it stopped answering
     ├── RecordingError       a recording cannot be read or written
     ├── LanguageError        a task's language is too large, or too empty, for what was asked
-    ├── LearningError        a demonstration holds nothing that can be learned
+    ├── LearningError        a demonstration holds nothing that can be learned, or that goes with the task
     ├── PlanningError        a goal cannot be read, or means nothing to the skills
     │   └── NoPlanError      no plan reaches it
     └── MissingExtraError    an optional package is not installed
@@ -87,7 +87,7 @@ class LanguageError(UnderstudyError):
 
 
 class LearningError(UnderstudyError):
-    """A demonstration holds nothing that can be learned."""
+    """A demonstration holds nothing that can be learned, or does not go with the task it is added to."""
 
 
 class PlanningError(UnderstudyError):

@@ -24,8 +24,11 @@ from understudy.network.evidence import Interval, LinkEvidence, Occurrence
 from understudy.network.flattening import flattened
 from understudy.network.naming import component_ids
 from understudy.network.reduction import expand_links, reduce_links
+from understudy.network.topology import END, START, Edge, Topology
 
 __all__ = [
+    "END",
+    "START",
     "Achieved",
     "After",
     "AllOf",
@@ -34,6 +37,7 @@ __all__ = [
     "Complete",
     "Component",
     "Condition",
+    "Edge",
     "Happened",
     "Holds",
     "Interval",
@@ -51,6 +55,7 @@ __all__ = [
     "Task",
     "TimedOut",
     "Timeout",
+    "Topology",
     "Trigger",
     "atoms",
     "component_ids",

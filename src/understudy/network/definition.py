@@ -16,6 +16,7 @@ from understudy.errors import NetworkError
 from understudy.network.conditions import Condition, ParameterValue
 from understudy.network.controls import Repeat, Switch, Timeout, Trigger, check_controls
 from understudy.network.evidence import LinkEvidence, Occurrence
+from understudy.network.topology import END, START, Edge, Topology, check_paths, check_ways
 
 __all__ = [
     "Case",
@@ -136,15 +137,17 @@ class Network:
         components: abstract behaviors and networks in their place, in document order, which settles every tie.
         links: at most one for each ordered pair.
         inhibitions: pairs ``(from, to)``: while the first executes, the second is inhibited (§3.2.1).
+        paths: the ways through it, where there are alternatives (§5.2); empty where all components are to be done.
 
     Raises:
         NetworkError: two components with one id, a link to nowhere or across a NAB's border, a link twice, a cycle, a
-            case that can never be reached, a condition on what is not there.
+            case that can never be reached, a condition on what is not there, a component on no path.
     """
 
     components: tuple[Component | Nab, ...]
     links: tuple[Link, ...] = ()
     inhibitions: tuple[tuple[str, str], ...] = ()
+    paths: tuple[Edge, ...] = ()
 
     def __post_init__(self) -> None:
         ids: set[str] = set()
@@ -169,7 +172,10 @@ class Network:
             pairs.add(pair)
         for index, (source, target) in enumerate(self.inhibitions):
             self._check_ends(ids, source, target, "inhibitions", index)
+        check_paths(self)
         _ = self.topological_order
+        if self.paths:
+            check_ways(self)
         for index, component in enumerate(self.components):
             check_controls(component, self, f"components[{index}]")
 
@@ -255,7 +261,13 @@ class Network:
 
     @cached_property
     def sinks(self) -> tuple[str, ...]:
-        """The final goals, which ``Init`` asks for (§3.3.2): nothing but a duty waits for them, and they are none."""
+        """The final goals, which ``Init`` asks for (§3.3.2): nothing but a duty waits for them, and they are none.
+
+        Where there are alternatives, any one of them ends the task.
+        """
+        if self.paths:
+            last = self.topology.predecessors[END]
+            return tuple(component.id for component in self.components if component.id in last)
         duties = {component.id for component in self.components if component.trigger is not None}
         return tuple(
             component.id
@@ -269,12 +281,16 @@ class Network:
         sorter: TopologicalSorter[str] = TopologicalSorter({component.id: () for component in self.components})
         for link in self.links:
             sorter.add(link.target, link.source)
+        for edge in self.paths:
+            if edge.source != START and edge.target != END:
+                sorter.add(edge.target, edge.source)
         rank = {component.id: index for index, component in enumerate(self.components)}
         try:
             sorter.prepare()
         except CycleError as error:
             cycle = " -> ".join(error.args[1])
-            raise NetworkError(f"the links run in a circle: {cycle}; take one of them out", path="links") from None
+            what, path = ("links and paths", "paths") if self.paths else ("links", "links")
+            raise NetworkError(f"the {what} run in a circle: {cycle}; take one of them out", path=path) from None
         order: list[str] = []
         ready: list[int] = []
         while sorter.is_active():
@@ -284,6 +300,20 @@ class Network:
             order.append(first)
             sorter.done(first)
         return tuple(order)
+
+    @cached_property
+    def topology(self) -> Topology:
+        """The ways through it; without alternatives the only one, its topological form (§5.1)."""
+        order = [id_ for id_ in self.topological_order if self.by_id[id_].trigger is None]
+        return Topology(order, self.paths) if self.paths else Topology.of_chain(order, self.demonstrations)
+
+    @cached_property
+    def demonstrations(self) -> tuple[str, ...]:
+        """The names of those it was learned from, by its evidence, in the order in which they appear there."""
+        if self.paths:
+            return self.topology.demonstrations
+        seen = [one for part in self.components if isinstance(part, Component) for one in part.occurrences]
+        return tuple(dict.fromkeys(one.demonstration for one in seen))
 
 
 def _endings(path: str) -> Collection[str]:

@@ -27,6 +27,7 @@ class Task(NetworkPart):
         components: at least one; their order settles every tie.
         links: between components, without circles.
         inhibitions: between components.
+        paths: the ways through it, where there are alternatives.
     """
 
     understudy: Literal["task/1"] = "task/1"
@@ -42,7 +43,7 @@ class Task(NetworkPart):
         """
         try:
             part = network_part(network)
-            return cls(name=name, note=note, components=part.components, links=part.links, inhibitions=part.inhibitions)
+            return cls(name=name, note=note, **{key: getattr(part, key) for key in NetworkPart.model_fields})
         except ValidationError as error:
             raise first_fault(error, f"the task {name!r:.60}", NetworkError) from None
 

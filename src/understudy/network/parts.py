@@ -18,6 +18,7 @@ __all__ = [
     "LinkPart",
     "NetworkPart",
     "OccurrencePart",
+    "PathPart",
     "RepeatPart",
     "SwitchPart",
     "Text",
@@ -188,12 +189,21 @@ class InhibitionPart(Part):
     target: Text = Field(alias="to")
 
 
+class PathPart(Part):
+    """One step of the ways through a network: after ``from``, or START, may come ``to``, or END."""
+
+    source: Text = Field(alias="from")
+    target: Text = Field(alias="to")
+    shown: tuple[Text, ...] = ()
+
+
 class NetworkPart(Part):
-    """Components, links and inhibitions: NETWORK-DESCRIPTION of §3.4."""
+    """Components, links and inhibitions: NETWORK-DESCRIPTION of §3.4; and paths, where there are alternatives."""
 
     components: Annotated[tuple[ComponentPart, ...], Field(min_length=1)]
     links: tuple[LinkPart, ...] = ()
     inhibitions: tuple[InhibitionPart, ...] = ()
+    paths: tuple[PathPart, ...] = ()
 
 
 for _part in (ConditionPart, TriggerPart, RepeatPart, CasePart, SwitchPart, ComponentPart, NetworkPart):

@@ -30,6 +30,7 @@ from understudy.network.parts import (
     TimeoutPart,
     TriggerPart,
 )
+from understudy.network.topology import Edge
 
 __all__ = ["Fetch", "network_of"]
 
@@ -64,8 +65,9 @@ def network_of(part: NetworkPart, fetch: Fetch, *, path: str = "", outside: Mapp
         _inhibition(inhibition, ids, outside, f"{_below(path)}inhibitions[{index}]")
         for index, inhibition in enumerate(part.inhibitions)
     )
+    paths = tuple(Edge(source=step.source, target=step.target, shown=step.shown) for step in part.paths)
     try:
-        return Network(components, links, inhibitions)
+        return Network(components, links, inhibitions, paths)
     except NetworkError as error:
         raise NetworkError(error.problem, path=_below(path) + error.path) from None
 

@@ -8,12 +8,15 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from understudy.network.definition import Component, Link, LinkType, Network
+from understudy.network.topology import END
 
 __all__ = ["expand_links", "reduce_links"]
 
 
 def reduce_links(network: Network) -> Network:
     """The network without the ordering links that a path of other links, of any type, implies.
+
+    Where there are alternatives, none is left: the ways through the network imply every order.
 
     What is left out does not depend on the order in which the links are looked at: a path that implies one link never
     needs another implied one, because that, too, has its path.
@@ -28,7 +31,7 @@ def reduce_links(network: Network) -> Network:
 
 
 def expand_links(network: Network) -> Network:
-    """The network with an ordering link for every pair that a path joins and no link does: the full set.
+    """The network with an ordering link for every pair that a path joins and no link does: the full set (§5.1.2, too).
 
     The added links follow the given ones, in document order, and carry no evidence of their own: it is the path's.
     """
@@ -57,12 +60,19 @@ def _inside(network: Network, change: Callable[[Network], Network]) -> Network:
 
 
 def _reached_in_steps(network: Network) -> tuple[dict[str, int], dict[str, int]]:
-    """The rank of every component, and the ranks (one bit each) that a path of two links or more leads to from it."""
+    """The rank of every component, and the ranks (one bit each) that a path of two links or more leads to from it.
+
+    A step of the ways through the network orders what it joins without a link.
+    """
     rank = {id_: index for index, id_ in enumerate(network.topological_order)}
+    next_ = network.topology.successors if network.paths else {}
     in_steps: dict[str, int] = {}
     reached: dict[str, int] = {}
     for id_ in reversed(network.topological_order):
         further = near = 0
+        for after in next_.get(id_, ()):
+            if after != END:
+                further |= 1 << rank[after] | reached[after]
         for link in network.outgoing[id_]:
             near |= 1 << rank[link.target]
             further |= reached[link.target]

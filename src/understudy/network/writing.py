@@ -25,6 +25,7 @@ from understudy.network.parts import (
     LinkPart,
     NetworkPart,
     OccurrencePart,
+    PathPart,
     RepeatPart,
     SwitchPart,
     TimeoutPart,
@@ -44,6 +45,7 @@ def network_part(network: Network) -> NetworkPart:
         components=tuple(map(component_part, network.components)),
         links=tuple(map(_link, network.links)),
         inhibitions=tuple(InhibitionPart(source=source, target=target) for source, target in network.inhibitions),
+        paths=tuple(PathPart(source=step.source, target=step.target, shown=step.shown) for step in network.paths),
     )
 
 

@@ -1,0 +1,12 @@
+"""A task from several demonstrations (§5): each new one is aligned with what is known, and merged into it.
+
+What all show alike is done once; the rest becomes alternatives, of which some are bypassed for good. The task may be
+used after any demonstration, and another one may always be added.
+"""
+
+from understudy.generalization.alignment import Match, align
+from understudy.generalization.difference import Branch, Difference
+from understudy.generalization.merging import Generalized, generalize
+from understudy.generalization.symbols import Symbol, symbol_of
+
+__all__ = ["Branch", "Difference", "Generalized", "Match", "Symbol", "align", "generalize", "symbol_of"]
