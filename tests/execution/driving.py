@@ -110,7 +110,7 @@ def _with_own_behaviors(network: Network, prefix: str) -> Network:
         else replace(part, cases=tuple(_case(part, index, prefix) for index in range(len(part.cases))))
         for part in network.components
     )
-    return Network(components, network.links, network.inhibitions)
+    return Network(components, network.links, network.inhibitions, network.paths)
 
 
 def _case(nab: Nab, index: int, prefix: str) -> Case:

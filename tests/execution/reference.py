@@ -74,12 +74,22 @@ Reading 28: locks: duties and their parts go before all others. For the order, a
 Reading 29: whatever is followed by duties only is a final goal.
 Reading 30: a NAB is as good as a behavior (§3.4): it continues while one of its parts does, so that a primitive that
     asked not to be interrupted may finish when its network is complete.
+
+Alternatives (semantics §5; §5.2 and §5.3 of the dissertation):
+
+Reading 31: in play are the components of the way that was taken, and the candidates. Whoever is out of play is asked
+    for nothing and not due, and links from and to it do not count. Init asks for the candidates instead of the sinks.
+Reading 32: a component that is achieved, or skipped, is taken at once; of several in one step, the first in document
+    order, and by then the others may be out of play. A network is complete when END may come next.
+Reading 33: a direct way to END leads past all else. Duties are on no way.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from understudy.network import (
+    END,
+    START,
     Achieved,
     After,
     AllOf,
@@ -139,6 +149,8 @@ class RefContext:
     called: set[str] = field(default_factory=set)
     rung: set[str] = field(default_factory=set)
     due_s: dict[str, float] = field(default_factory=dict)
+    taken: dict[Case, list[str]] = field(default_factory=dict)
+    """The way through every network with alternatives, as far as it has come; ids."""
 
     @classmethod
     def fresh(cls, network: Network) -> "RefContext":
@@ -270,10 +282,41 @@ class _Tick:
 
     def is_complete(self, case: Case) -> bool:
         """Semantics §3 step 8: "when every sink is achieved"; duties are no sinks."""
+        network = self.network_of(case)
+        if network.paths:
+            return END in self.candidates(case)
         return all(self.context.achieved[part.path] for part in self.parts if part.case == case and _is_sink(part))
 
+    def network_of(self, case: Case) -> Network:
+        if case == ROOT:
+            return self.network
+        nab = self.by_path[case[0]].component
+        assert isinstance(nab, Nab)
+        return next(one.network for one in nab.cases if one.name == case[1])
+
+    def way(self, case: Case) -> list[str]:
+        return self.context.taken.setdefault(case, [])
+
+    def candidates(self, case: Case) -> list[str]:
+        """Semantics §5: "the successors of the path's last node, minus any successor from which another of those
+        successors can be reached".
+        """
+        network = self.network_of(case)
+        after = _successors(network, (self.way(case) or [START])[-1])
+        return [id_ for id_ in after if not any(_reaches(network, id_, other) for other in after)]
+
+    def in_play(self, part: Part) -> bool:
+        """Reading 31."""
+        if not part.network.paths or part.component.trigger is not None:
+            return True
+        return part.component.id in (*self.way(part.case), *self.candidates(part.case))
+
     def links_into(self, part: Part) -> list[tuple[str, Link]]:
-        return [(part.prefix + link.source, link) for link in part.network.links if link.target == part.component.id]
+        """The links that count: all, or "from every node on the taken path" to one in play."""
+        links = [link for link in part.network.links if link.target == part.component.id]
+        if part.network.paths:
+            links = [link for link in links if link.source in self.way(part.case) and self.in_play(part)]
+        return [(part.prefix + link.source, link) for link in links]
 
     def satisfied(self, source: str, target: str, link: Link) -> bool:
         """Semantics §2, the table; §3.3.1 of the dissertation."""
@@ -413,7 +456,7 @@ class _Tick:
     def is_due(self, part: Part) -> bool:
         """Semantics §2: "enabled, not inhibited and every sequential precondition satisfied"."""
         context = self.context
-        if part.path in context.inhibited or not self.in_use(part.case):
+        if part.path in context.inhibited or not self.in_use(part.case) or not self.in_play(part):
             return False
         if part.component.trigger is not None and part.path not in context.called:
             return False
@@ -426,6 +469,8 @@ class _Tick:
         context.clocks.pop(part.path, None)
         if part.path not in context.skipped:
             context.timed_out.discard(part.path)
+        if part.network.paths and part.component.trigger is None:
+            self.way(part.case).append(part.component.id)  # Reading 32
 
     def is_done(self, part: Part) -> bool:
         """Readings 21 and 22."""
@@ -468,15 +513,23 @@ class _Tick:
                 for link in part.network.links:
                     if link.source == part.component.id:
                         level += self.sent_over(part, link)
-                if _is_sink(part) and not self.context.achieved[part.path]:
+                if self.is_goal(part) and not self.context.achieved[part.path]:
                     level += 1  # "Init sends 1 to each sink not yet achieved"
                 if part.path in self.context.called:
                     level += 1  # Reading 26
             self.levels[part.path] = level
         return self.levels[part.path]
 
+    def is_goal(self, part: Part) -> bool:
+        """Whether Init asks for it: a sink; where there are alternatives, a candidate (Reading 31)."""
+        if part.network.paths:
+            return part.component.id in self.candidates(part.case)
+        return _is_sink(part)
+
     def sent_over(self, part: Part, link: Link) -> int:
         target = part.prefix + link.target
+        if link not in [counting for _, counting in self.links_into(self.by_path[target])]:
+            return 0  # Reading 31
         if self.step_4_level(self.by_path[target]) == 0:
             return 0
         if not self.satisfied(part.path, target, link):
@@ -495,6 +548,8 @@ class _Tick:
         for part in self.parts:
             path = part.path
             reasons: set[Reason] = set()
+            if not self.in_play(part):
+                reasons.add(("path",))
             used = self.in_use(part.case) and (part.case == ROOT or part.case[0] in active)  # Readings 19 and 20
             if not used:
                 reasons.add(("unused",))
@@ -636,6 +691,7 @@ class _Tick:
                 context.effects[path] = False
             for table in (context.chosen, context.rounds, context.clocks, context.due_s):
                 table.pop(path, None)
+            context.taken.pop(part.case, None)
             for paths in (
                 context.active, context.executing, context.timed_out, context.skipped, context.called, context.rung
             ):  # fmt: skip
@@ -645,6 +701,14 @@ class _Tick:
             for case, at in context.begun.items()
             if case[0] != nab.path and not case[0].startswith(nab.path + "/")
         }
+
+
+def _successors(network: Network, id_: str) -> list[str]:
+    return [edge.target for edge in network.paths if edge.source == id_]
+
+
+def _reaches(network: Network, source: str, target: str) -> bool:
+    return any(one == target or _reaches(network, one, target) for one in _successors(network, source))
 
 
 def _is_sink(part: Part) -> bool:

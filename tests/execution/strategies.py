@@ -5,6 +5,8 @@ from typing import NamedTuple
 from hypothesis import strategies as st
 
 from understudy.network import (
+    END,
+    START,
     Achieved,
     After,
     AllOf,
@@ -13,6 +15,7 @@ from understudy.network import (
     Complete,
     Component,
     Condition,
+    Edge,
     Happened,
     Holds,
     Link,
@@ -25,12 +28,23 @@ from understudy.network import (
     Switch,
     TimedOut,
     Timeout,
+    Topology,
     Trigger,
 )
 
 from .reference import Behaviors, RefContext, World, tick
 
-__all__ = ["KINDS", "SENSES", "Scenario", "behavior_tables", "hierarchies", "histories", "networks", "scenarios"]
+__all__ = [
+    "KINDS",
+    "SENSES",
+    "Scenario",
+    "behavior_tables",
+    "hierarchies",
+    "histories",
+    "networks",
+    "scenarios",
+    "with_alternatives",
+]
 
 KINDS = ("Approach", "Grasp", "Watch", "Shove")
 """The names of the behaviors. What each controls is drawn anew for every example."""
@@ -134,7 +148,33 @@ def hierarchies(draw: st.DrawFn, depth: int = 2) -> Network:
             components.append(
                 Component(id=id_, behavior=component.behavior, until=until, timeout=timeouts.get(id_), trigger=trigger)
             )
-    return Network(tuple(components), flat.links, flat.inhibitions)
+    network = Network(tuple(components), flat.links, flat.inhibitions)
+    return draw(with_alternatives(network)) if draw(_chance(25)) else network
+
+
+@st.composite
+def with_alternatives(draw: st.DrawFn, network: Network) -> Network:
+    """The same components on ways from START to END, with those of their links for which a way is there."""
+    ids = [id_ for id_ in network.topological_order if network.by_id[id_].trigger is None]
+    stops = [START, *ids, END]
+    steps: dict[tuple[str, str], None] = {}
+    for place in range(1, len(stops) - 1):
+        near = max(0, place - 3)
+        steps[stops[draw(st.integers(near, place - 1))], stops[place]] = None
+        steps[stops[place], stops[draw(st.integers(place + 1, min(place + 3, len(stops) - 1)))]] = None
+    for first in range(len(ids)):
+        if draw(_chance(20)):
+            last = draw(st.integers(first + 1, len(stops) - 1))
+            if (first, last) != (0, len(stops) - 1):
+                steps[stops[first], stops[last]] = None
+    edges = tuple(Edge(source=source, target=target) for source, target in draw(st.permutations(list(steps))))
+    topology = Topology(ids, edges)
+    links = tuple(
+        link
+        for link in network.links
+        if link.target in ids and link.source in ids and topology.leads(link.source, link.target)
+    )
+    return Network(network.components, links, network.inhibitions, edges)
 
 
 @st.composite
@@ -240,8 +280,12 @@ def histories(
 
 
 @st.composite
-def scenarios(draw: st.DrawFn, max_components: int = 8, max_ticks: int = 12, *, nested: bool = False) -> Scenario:
+def scenarios(
+    draw: st.DrawFn, max_components: int = 8, max_ticks: int = 12, *, nested: bool = False, alternatives: bool = False
+) -> Scenario:
     """A network, its behaviors and a history that fits both."""
     network = draw(hierarchies() if nested else networks(max_components=max_components))
+    if alternatives:
+        network = draw(with_alternatives(network))
     behaviors = draw(behavior_tables())
     return Scenario(network, behaviors, draw(histories(network, max_ticks=max_ticks, behaviors=behaviors)))

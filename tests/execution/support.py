@@ -70,7 +70,7 @@ def closed(network: Network) -> Network:
         part if isinstance(part, Component) else replace(part, cases=tuple(map(_closed_case, part.cases)))
         for part in network.components
     )
-    return Network(components, (*network.links, *implied), network.inhibitions)
+    return Network(components, (*network.links, *implied), network.inhibitions, network.paths)
 
 
 def _closed_case(case: Case) -> Case:

@@ -67,7 +67,7 @@ def behaved(outcome: RefOutcome) -> tuple[object, ...]:
 
 
 @settings(max_examples=400)
-@given(scenarios() | scenarios(nested=True))
+@given(scenarios() | scenarios(nested=True) | scenarios(alternatives=True))
 def test_the_tick_agrees_with_the_reference(scenario: Scenario) -> None:
     full = closed(scenario.network)
     expected = run(full, scenario.behaviors, scenario.history)
@@ -81,7 +81,7 @@ def test_the_tick_agrees_with_the_reference(scenario: Scenario) -> None:
 
 
 @settings(max_examples=300)
-@given(scenarios() | scenarios(nested=True))
+@given(scenarios() | scenarios(nested=True) | scenarios(alternatives=True))
 def test_reduced_and_full_networks_behave_the_same(scenario: Scenario) -> None:
     reduced = execute(scenario.network, scenario)
     full = execute(closed(scenario.network), scenario)
@@ -89,7 +89,7 @@ def test_reduced_and_full_networks_behave_the_same(scenario: Scenario) -> None:
 
 
 @settings(max_examples=200)
-@given(scenarios() | scenarios(nested=True))
+@given(scenarios() | scenarios(nested=True) | scenarios(alternatives=True))
 def test_the_tables_follow_from_the_context_alone(scenario: Scenario) -> None:
     """A context taken over in mid-run gives the same activation as the one that has been kept up to date."""
     program = compiled(scenario.network, scenario.behaviors)

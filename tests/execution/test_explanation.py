@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from understudy.behaviors import Skill, SkillSet
 from understudy.errors import UnderstudyError
 from understudy.execution import Controller, Event, Explanation, History, State, explain
-from understudy.network import Component, Link, LinkType, Nab, Network, Repeat
+from understudy.network import Component, Edge, Link, LinkType, Nab, Network, Repeat
 from understudy.robot import PIONEER
 
 from .driving import controller_of, percepts_of
@@ -19,7 +19,7 @@ from .test_controller import Scripted, controller, ticks
 
 
 @settings(max_examples=150)
-@given(scenarios() | scenarios(nested=True))
+@given(scenarios() | scenarios(nested=True) | scenarios(alternatives=True))
 def test_what_the_trace_tells_is_what_the_context_holds(scenario: Scenario) -> None:
     running = controller_of(scenario)
     history = History(running.program.network)
@@ -34,7 +34,7 @@ def test_what_the_trace_tells_is_what_the_context_holds(scenario: Scenario) -> N
 
 
 @settings(max_examples=150)
-@given(scenarios() | scenarios(nested=True))
+@given(scenarios() | scenarios(nested=True) | scenarios(alternatives=True))
 def test_the_reasons_are_those_of_the_definition(scenario: Scenario) -> None:
     """Active or not, executing or not, and the first reason are what the reference interpreter says, at every tick."""
     running = controller_of(scenario)
@@ -63,6 +63,9 @@ def test_the_reasons_are_those_of_the_definition(scenario: Scenario) -> None:
                 known = {reason[1] for reason in outcome.refusals[path] if reason[0] == kind}
                 # A rival that was begun anew meanwhile the reference has forgotten; the definition has not.
                 assert other in (known if known != {""} else rivals_of(scenario.network, path)), path
+            elif not found.active:
+                out = found.missing[0].kind in ("path", "bypassed")
+                assert out == (("path",) in outcome.refusals[path] and ("unused",) not in outcome.refusals[path])
 
 
 def rivals_of(network: Network, path: str) -> set[str]:
@@ -170,6 +173,31 @@ def test_a_part_of_what_is_not_in_use_hangs_on_its_network() -> None:
     assert history.achieved_s("part/x", 0.5) is None
     assert history.achieved_s("part/x", 0.9) == 0.8
     assert history.achieved_s("part", 0.9) == 0.8
+
+
+WAYS = tuple(
+    Edge(source=source, target=target)
+    for source, target in (("START", "a"), ("START", "b"), ("a", "c"), ("c", "d"), ("a", "d"), ("b", "d"), ("d", "END"))
+)
+
+
+def test_what_is_out_of_play_says_what_comes_first_or_what_was_taken() -> None:
+    skills = [Scripted("A", [2]), Scripted("B", [], seen=[]), Scripted("C", [9]), Scripted("D", [5])]
+    network = Network(tuple(Component(id=skill.name.lower(), behavior=skill.name) for skill in skills), paths=WAYS)
+    running = Controller(network, SkillSet(*(Skill(skill, skill) for skill in skills)), PIONEER)
+    history = history_of(running, 7)
+    assert reasons(explain(history, "d", 0.1)) == [("path", "a", "achieved")]
+    assert reasons(explain(history, "b", 0.1)) == [("locked", "a", "")]
+    never = explain(history, "c", 0.1)
+    assert (never.state, reasons(never), never.cause.kind) == (State.BYPASSED, [("bypassed", "", "")], "began")
+    other = explain(history, "b", 0.4)
+    assert reasons(other) == [("bypassed", "a", "")]
+    assert (other.since_s, other.cause.kind, other.cause.component) == (0.2, "taken", "a")
+    due = explain(history, "d", 0.3)
+    assert (due.state, due.cause.kind, due.cause.component) == (State.EXECUTING, "achieved", "a")
+    told = [(event.component, dict(event.detail)) for event in history.events if event.kind == "taken"]
+    assert told == [("a", {"instead_of": ["b"]}), ("d", {"past": ["c"]})]
+    assert [event.kind for event in history.events][-1] == "complete"
 
 
 def test_unknown_components_and_moments_are_refused() -> None:

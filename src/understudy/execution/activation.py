@@ -201,7 +201,7 @@ class Activation:
             self.links.due.append(row)
 
     def _derive_again(self) -> None:
-        """After a part of the context was forgotten."""
+        """After a part of the context was forgotten, or another way was taken."""
         due = self.links.due
         self._derive(self.scopes.outside)
         self.links.due += due
@@ -216,6 +216,8 @@ class Activation:
             round_, self.links.due = sorted(set(self.links.due)), []
             for row in round_:
                 if context.achieved[row] or self.links.unmet[row] or not context.effects[row]:
+                    continue
+                if not self.links.in_play[row]:
                     continue
                 node = nodes[row]
                 if not self.scopes.enabled[node.scope] or (node.trigger is not None and row not in context.called):
@@ -240,6 +242,12 @@ class Activation:
         if row in context.called:
             context.called.discard(row)
             self.links.raise_level(row, -1)
+        node = self.program.nodes[row]
+        if self.program.scopes[node.scope].ways is not None and node.trigger is None:
+            # It is taken, and others come into play or go out of it; that happens once a step, so all is derived again.
+            context.taken[node.scope] = (*context.taken.get(node.scope, ()), row)
+            self._derive_again()
+            return
         self.scopes.achieve(row)
         for arc in self.program.outgoing[row]:
             self.links.refresh(arc)

@@ -24,6 +24,7 @@ _Kind = Literal[
     "inhibited",
     "released",
     "finished",
+    "taken",
     "changed",
 ]
 
@@ -36,8 +37,8 @@ class Cause:
         kind: the run ``began``; a network was ``begun``, or begun anew, or ``ended``; a component was ``achieved``, was
             ``skipped``, was ``called``; its goal was ``reached`` or ``lost``; what the component needs to act ``came``
             or ``went``; another ``took`` its actuators or ``freed`` them; a rival ``inhibited`` it or ``released`` it;
-            it ``finished``, some time after it was achieved; or none of these happened to it or to those on which it
-            hangs: something else ``changed``.
+            it ``finished``, some time after it was achieved; another component was ``taken`` on the way instead; or
+            none of these happened to it or to those on which it hangs: something else ``changed``.
         component: whom it happened to; the component itself, or another one.
         time_s: when.
     """
@@ -84,6 +85,8 @@ class _Moment:
             return "skipped", path
         if state is State.INHIBITED:
             return "inhibited", str(self.since.why["by"])
+        if state is State.BYPASSED and "by" in self.since.why:
+            return "taken", str(self.since.why["by"])
         if state in (State.ACHIEVED, State.RESTING) and self._now("achieved", path):
             return "achieved", path
         if state is State.ACHIEVED and self._now("goal", path):

@@ -7,6 +7,7 @@ from typing import Any
 from understudy.behaviors import Memory
 from understudy.execution.program import Program
 from understudy.execution.trace import State
+from understudy.execution.ways import Way
 
 __all__ = ["Context", "Told"]
 
@@ -30,6 +31,7 @@ class Context:
         chosen: for every NAB that has been begun, its scope; -1 if no case fits and there is nothing to do.
         begun: for every scope in use, when it was begun.
         rounds: for every NAB that repeats, how many rounds are complete.
+        taken: for every scope with alternatives, the rows of the way through it so far.
         skipped: rows that ran out of time and are passed over.
         timed_out: rows that ran out of time and have not been achieved since.
         active_s: for every row with a timeout, for how long it has been active.
@@ -56,6 +58,7 @@ class Context:
     chosen: dict[int, int] = field(default_factory=dict)
     begun: dict[int, float] = field(default_factory=dict)
     rounds: dict[int, int] = field(default_factory=dict)
+    taken: dict[int, Way] = field(default_factory=dict)
     skipped: set[int] = field(default_factory=set)
     timed_out: set[int] = field(default_factory=set)
     active_s: dict[int, float] = field(default_factory=dict)
@@ -91,6 +94,7 @@ class Context:
         self.keep_on -= frozenset(inside)
         for scope in scopes:
             self.begun.pop(scope, None)
+            self.taken.pop(scope, None)
 
     def _forget_times(self, row: int) -> None:
         for rows in (self.skipped, self.timed_out, self.called, self.rung):

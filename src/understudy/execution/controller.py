@@ -173,6 +173,9 @@ class Controller:
             tell("goal", row, holds=context.effects[row])
         for row in step.called:
             tell("called", row)
+        for row in (*step.skipped, *step.achieved):
+            if choice := self._choice(row):
+                tell("taken", row, **choice)
         for row in step.achieved:
             # Reached by the robot's own doing, and not just found true: the beep of A.4.
             tell("achieved", row, on_purpose=row in purposeful)
@@ -182,6 +185,16 @@ class Controller:
                 context.told[row] = state
                 tell("state", row, state=state[0].value, **state[1])
         return events
+
+    def _choice(self, row: int) -> dict[str, list[str]]:
+        """Where a component came next on its way, what could have come instead, and what was left out for it."""
+        node = self.program.nodes[row]
+        ways, taken = self.program.scopes[node.scope].ways, self.context.taken.get(node.scope, ())
+        if ways is None or row not in taken:
+            return {}
+        way = taken[: taken.index(row)]
+        found = {"instead_of": [one for one in ways.candidates(way) if one != row], "past": [*ways.passed(way)]}
+        return {key: [self.program.nodes[one].id for one in rows] for key, rows in found.items() if rows}
 
     def _beginnings(self, time_s: float, before: Mapping[int, int], step: Step) -> list[Event]:
         """Which networks begin now, or begin anew."""

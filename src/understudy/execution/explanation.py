@@ -22,13 +22,26 @@ class Missing:
         kind: the link that is not satisfied (``ordering``, ``enabling``, ``permanent``); a rival that executes
             (``inhibited``) or has executed in the last tick; the actuators, which are another's (``locked``); its world
             precondition (``world``); a NAB none of whose parts executes (``parts``); the network in which it stands is
-            not in use (``unused``); it is a duty that is not called (``resting``); nobody needs it (``level``).
+            not in use (``unused``); it is a duty that is not called (``resting``); nobody needs it (``level``). Where
+            there are alternatives: another component comes first on the way (``path``); or none that is still open
+            leads to it (``bypassed``), since another component was taken or, if none is named, in every run.
         component: the path of the other component on which it hangs; empty if there is none.
         lacks: of a link, whether its predecessor has not been ``achieved``, or has been and its goal does not ``hold``.
     """
 
     kind: Literal[
-        "ordering", "enabling", "permanent", "inhibited", "locked", "world", "parts", "unused", "resting", "level"
+        "ordering",
+        "enabling",
+        "permanent",
+        "inhibited",
+        "locked",
+        "world",
+        "parts",
+        "unused",
+        "resting",
+        "level",
+        "path",
+        "bypassed",
     ]
     component: str = ""
     lacks: Literal["", "achieved", "hold"] = ""
@@ -137,6 +150,8 @@ def _missing(history: History, path: str, told: StateChange, at_s: float) -> Ite
             yield Missing(kind="resting")
         case State.ACHIEVED | State.SKIPPED:
             yield Missing(kind="level")
+        case State.BYPASSED:
+            yield Missing(kind="bypassed", component=why.get("by", ""))
         case State.SEARCHING if why["reason"] == "locked":
             yield Missing(kind="locked", component=why["by"])
         case State.SEARCHING if why["reason"] == "parts":

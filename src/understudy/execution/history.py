@@ -7,7 +7,7 @@ from typing import Any
 
 from understudy.errors import UnderstudyError
 from understudy.execution.trace import Event, State
-from understudy.network import Component, Nab, Network
+from understudy.network import START, Component, Nab, Network
 
 __all__ = ["History", "StateChange"]
 
@@ -139,9 +139,13 @@ class History:
         return next(iter(self._around(path)), "")
 
     def predecessors(self, path: str) -> list[str]:
-        """The components from which links lead to one."""
+        """The components from which links lead to one, and those after which it may come."""
         prefix, network = self.network.home_of(path)
-        return [prefix + link.source for link in network.incoming[path[len(prefix) :]]]
+        id_ = path[len(prefix) :]
+        before = [link.source for link in network.incoming[id_]]
+        if network.paths:
+            before += [one for one in network.topology.predecessors.get(id_, ()) if one != START]
+        return [prefix + one for one in dict.fromkeys(before)]
 
     def _around(self, path: str) -> list[str]:
         """The NABs in which a component stands, innermost first."""

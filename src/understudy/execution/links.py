@@ -17,7 +17,9 @@ class Links:
     Attributes:
         levels: for every node, the activation level.
         unmet: for every node, how many of its incoming links are not satisfied.
-        satisfied: for every arc.
+        satisfied: for every arc; those that do not count are.
+        in_play: for every node, whether it is on the way that was taken, or may come next; all are, where there are no
+            alternatives.
         ready: the nodes that are needed, and none of whose links is unmet.
         due: nodes that may be achieved now, each perhaps more than once; emptied by whoever looks at them.
         touched: nodes for which anything has changed; emptied by whoever looks at them.
@@ -32,6 +34,12 @@ class Links:
         self.levels = [0] * size
         self.unmet = [len(program.incoming[row]) for row in range(size)]
         self.satisfied = [False] * len(program.arcs)
+        self.in_play = [True] * size
+        for scope in program.scopes:
+            if scope.ways is not None:
+                here = scope.ways.in_play(context.taken.get(scope.number, ()))
+                for row in scope.ways.ids:
+                    self.in_play[row] = row in here
         self.ready: set[int] = set()
         self.due: list[int] = [row for row in range(size) if not self.unmet[row]]
         self.touched: set[int] = set(range(size))
@@ -95,8 +103,10 @@ class Links:
         return level + (program.followers[nab] if nab >= 0 else 0)
 
     def _holds(self, arc: Arc) -> bool:
-        """Semantics §2, the table of links. Nobody waits for what was passed over."""
+        """Semantics §2, the table of links. Nobody waits for what was passed over, or for what is out of play."""
         context = self.context
+        if not (self.in_play[arc.source] and self.in_play[arc.target]):
+            return True
         if not context.achieved[arc.source]:
             return False
         if arc.type is LinkType.ORDERING or context.effects[arc.source] or arc.source in context.skipped:
@@ -107,7 +117,8 @@ class Links:
         """Step 4: what a needed component sends along one of its incoming links."""
         if not self.satisfied[arc.row]:
             return 1
-        return int(arc.type is LinkType.PERMANENT and self.program.nodes[arc.source].maintaining)
+        maintaining = arc.type is LinkType.PERMANENT and self.program.nodes[arc.source].maintaining
+        return int(maintaining and self.in_play[arc.source] and self.in_play[arc.target])
 
     def _place(self, row: int) -> None:
         ready = self.levels[row] > 0 and not self.unmet[row]

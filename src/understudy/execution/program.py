@@ -11,6 +11,7 @@ from operator import or_
 
 from understudy.behaviors import Actuator, Parameters, Skill, unknown_skill
 from understudy.errors import NetworkError, SkillError
+from understudy.execution.ways import Way, Ways
 from understudy.network import (
     Component,
     Condition,
@@ -96,6 +97,7 @@ class Scope:
         sinks: the rows whose goals are the network's.
         duties: the rows that have a trigger.
         end: one behind the last row of it and all that is inside; it begins at ``rows[0]``.
+        ways: through it, where there are alternatives.
     """
 
     number: int
@@ -106,6 +108,11 @@ class Scope:
     sinks: tuple[int, ...]
     duties: tuple[int, ...]
     end: int
+    ways: Ways | None = None
+
+    def wanted(self, taken: Way) -> tuple[int, ...]:
+        """The rows whose goals the network asks for: its sinks, or what may come next on the way that was taken."""
+        return self.sinks if self.ways is None else self.ways.candidates(taken)
 
 
 Sense = tuple[Skill, Parameters]
@@ -221,6 +228,7 @@ class _Compiler:
             sinks=tuple(ids[id_] for id_ in network.sinks),
             duties=tuple(ids[part.id] for part in network.components if part.trigger is not None),
             end=len(self.nodes),
+            ways=Ways.of(network.topology, ids) if network.paths else None,
         )
         return number
 
@@ -319,7 +327,12 @@ class _Compiler:
 
 
 def _followers(network: Network) -> Mapping[str, int]:
-    """The size of each component's transitive closure without duties, by sets written as bits of one number."""
+    """The size of each component's transitive closure without duties, by sets written as bits of one number.
+
+    Where there are alternatives, nobody knows yet what will come after a component: it counts as one.
+    """
+    if network.paths:
+        return dict.fromkeys(network.by_id, 1)
     place = {component.id: index for index, component in enumerate(network.components) if component.trigger is None}
     after = dict.fromkeys(network.by_id, 0)
     for id_ in reversed(network.topological_order):

@@ -5,7 +5,7 @@ from itertools import chain
 from understudy.execution.conditions import NOWHERE, Outside, holds
 from understudy.execution.context import Context
 from understudy.execution.links import Links
-from understudy.execution.program import Program
+from understudy.execution.program import Program, Scope
 from understudy.execution.step import NOTHING, Start
 from understudy.network import Condition
 
@@ -23,7 +23,7 @@ class Scopes:
 
     Attributes:
         enabled: for every scope, the port ``UseBehavior`` of its components.
-        open: for every scope, how many of its sinks are not achieved.
+        open: for every scope, how many of the goals that it asks for are not achieved; none if it is complete.
         outside: the world at this tick; of all that conditions ask for.
     """
 
@@ -33,8 +33,8 @@ class Scopes:
         self.links = links
         self.outside = outside
         self.enabled = [self._is_enabled(number) for number in range(len(program.scopes))]
-        self.open = [sum(not context.achieved[sink] for sink in scope.sinks) for scope in program.scopes]
-        self._sinks = frozenset(chain.from_iterable(scope.sinks for scope in program.scopes))
+        self.open = [sum(not context.achieved[row] for row in self._wanted(scope)) for scope in program.scopes]
+        self._sinks = frozenset(chain.from_iterable(scope.sinks for scope in program.scopes if scope.ways is None))
         self._read: tuple[int, ...] | None = None
         for number, enabled in enumerate(self.enabled):
             if enabled:
@@ -51,6 +51,9 @@ class Scopes:
             nodes = self.program.nodes
             self._read = tuple(node.row for node in nodes if node.skill is not None and self.enabled[node.scope])
         return self._read
+
+    def _wanted(self, scope: Scope) -> tuple[int, ...]:
+        return scope.wanted(self.context.taken.get(scope.number, ()))
 
     def so(self, condition: Condition, scope: int, *, complete: bool = False) -> bool:
         """Whether a condition that is stated in a network is so now."""
@@ -138,9 +141,9 @@ class Scopes:
     def _ask(self, number: int, sign: int) -> None:
         """Step 4, ``Init``: a network that comes into use, or goes out of it, asks for its goals, or no longer."""
         context, scope = self.context, self.program.scopes[number]
-        for sink in scope.sinks:
-            if not context.achieved[sink]:
-                self.links.raise_level(sink, sign)
+        for row in self._wanted(scope):
+            if not context.achieved[row]:
+                self.links.raise_level(row, sign)
         for duty in scope.duties:
             if duty in context.called:
                 self.links.raise_level(duty, sign)

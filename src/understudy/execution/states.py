@@ -35,6 +35,8 @@ def state_of(row: int, step: Step, activation: Activation) -> Told:
         return State.SKIPPED, {}
     if not activation.scopes.enabled[node.scope]:
         return (State.ACHIEVED if context.achieved[row] else State.UNUSED), {}
+    if not activation.links.in_play[row]:
+        return _out_of_play(row, activation)
     if activation.links.levels[row] == 0:
         resting = node.trigger is not None and row not in context.called
         return (State.RESTING if resting else State.ACHIEVED), {}
@@ -47,3 +49,16 @@ def state_of(row: int, step: Step, activation: Activation) -> Told:
         return State.WAITING, {"reason": "unused"}
     first, *others = missing
     return State.WAITING, first | ({"also": others} if others else {})
+
+
+def _out_of_play(row: int, activation: Activation) -> Told:
+    """Where there are alternatives: it may still have its turn, or does not lie on the way any more."""
+    program, context = activation.program, activation.context
+    scope = program.scopes[program.nodes[row].scope]
+    assert scope.ways is not None
+    taken = context.taken.get(scope.number, ())
+    before = scope.ways.waits_for(taken, row)
+    if before is not None:
+        return State.WAITING, {"reason": "path", "for": program.nodes[before].id}
+    since = scope.ways.passed_at(taken, row)
+    return State.BYPASSED, {} if since is None else {"by": program.nodes[since].id}

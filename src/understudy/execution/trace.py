@@ -25,6 +25,8 @@ class State(StrEnum):
     """It ran out of time, and is passed over."""
     RESTING = "resting"
     """A duty that is not called now."""
+    BYPASSED = "bypassed"
+    """Another way was taken, or a direct one leads past it."""
     UNUSED = "unused"
     """A part of a network that is not in use now, and not achieved."""
 
@@ -38,9 +40,10 @@ class Event:
         kind: ``state`` (a component's state, with reasons), ``goal`` (its goal came true, or ceased to be),
             ``achieved`` (``on_purpose``: by the robot's own doing, the beep of A.4), ``timeout`` (and what follows,
             ``then``), ``called`` (a duty), ``case`` (the case with which a NAB begins), ``switch`` (``to`` another
-            case), ``round`` (a loop begins its ``number``-th), ``event`` (heard of from outside), ``avoid``,
-            ``complete``, ``stopped``; and in practice ``heard`` (a ``cue``), ``corrected`` (the step that a ``word``,
-            said at ``said_s``, was about, ``how``, ``since_s``, and the ``others`` that it may have been about),
+            case), ``round`` (a loop begins its ``number``-th), ``taken`` (the way goes on here, ``instead_of`` other
+            candidates, or ``past`` what is bypassed), ``event`` (heard of from outside), ``avoid``, ``complete``,
+            ``stopped``; and in practice ``heard`` (a ``cue``), ``corrected`` (the step that a ``word``, said at
+            ``said_s``, was about, ``how``, ``since_s``, and the ``others`` that it may have been about),
             ``suspended``, ``resumed``.
         component: its path, where it is about one.
         detail: what else belongs to it, plain data: the new state, the reason of a refusal, the component in the way.
