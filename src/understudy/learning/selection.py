@@ -6,7 +6,7 @@ In this order, and the first reason that applies is the one reported:
    that somebody annotated are no sensor readings: here they all pass. So does what the robot itself did at TAKE or
    DROP (``cue_effects``): a teacher who says DONE as soon as the box is down meant the dropping none the less.
 2. *Conditions that never changed*, when ``keep_unchanging`` is off. Annotated intervals pass here, too.
-3. *Saliency*, when the teacher said HERE, TAKE or DROP at all. An observation is salient when
+3. *Saliency*, when the teacher said HERE, TAKE or DROP at all (``heed_cues``). An observation is salient when
 
    * one of these words falls into its interval, by ``cue_grace_s`` at most before or after it. Whatever the word:
      TAKE and DROP say "relevant" as well as what to do, so the target beside the box is salient, too; or
@@ -88,7 +88,7 @@ def _reason_against(observed: Observed, demonstration: Demonstration, settings: 
     unchanging = not observed.values and begun_at_start and lasted_to_the_end and not demonstration.annotated
     if unchanging and not settings.keep_unchanging:
         return "true from the beginning to the end"
-    if demonstration.cues and not observed.cues:
+    if settings.heed_cues and demonstration.cues and not observed.cues:
         standing = observed.instance.behavior in settings.standing and begun_at_start and not demonstration.annotated
         if not standing:
             return "no cue while it was true"

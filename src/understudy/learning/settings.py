@@ -27,12 +27,13 @@ class LearningSettings:
         cue_grace_s: how early or late a word may come, by human timing.
         cue_delay_s: how long after TAKE or DROP the robot may need until it holds the box or has let go of it.
         cue_effects: the behaviors whose goal a word brings about; they may come true ``cue_delay_s`` after it.
+        heed_cues: keep only what the teacher's words fall on, if there were any; off, all that was observed belongs to
+            the task (§5.4.3).
         standing: behaviors whose goal may be the situation that a task starts from. Seen at START, such an
             observation needs no cue: nobody points at the empty gripper (semantics §4).
         keep_unchanging: keep a goal without values that was true from START to DONE. A condition that the teacher
-        neither
-            brought about nor ended is left out, so that visiting six targets is learned as six visits in an order
-            (Figure 4.7), not as six visits with an empty gripper.
+            neither brought about nor ended is left out, so that visiting six targets is learned as six visits in an
+            order (Figure 4.7), not as six visits with an empty gripper.
         tolerance_s: endpoints that differ by no more are one moment.
         order: by the onset of the observations (§4.4.1), or by the moments of closest approach.
         value_tolerances: how far a value may stray and still be the learned one (semantics §1). A value that is not
@@ -54,6 +55,7 @@ class LearningSettings:
             {Cue.TAKE: frozenset({"PickUp", "GetBox"}), Cue.DROP: frozenset({"Drop"})}
         )
     )
+    heed_cues: bool = True
     standing: frozenset[str] = frozenset({"Drop"})
     keep_unchanging: bool = False
     tolerance_s: float = HALF_A_TICK_S
