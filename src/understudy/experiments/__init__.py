@@ -2,6 +2,13 @@
 
 from understudy.experiments.delivery import DeliveryTrial, delivery_tables, delivery_trial, delivery_trials, disturbed
 from understudy.experiments.delivery_rooms import CONDITIONS, Condition
+from understudy.experiments.generalization import (
+    Course,
+    generalization_tables,
+    generalization_trials,
+    ways,
+    worked_course,
+)
 from understudy.experiments.hierarchical import hierarchical_tables, hierarchical_trials, links_with_init, visits
 from understudy.experiments.judging import problems_of
 from understudy.experiments.planned import planned_tables, planned_trials
@@ -21,6 +28,7 @@ __all__ = [
     "CONDITIONS",
     "EXPERIMENTS",
     "Condition",
+    "Course",
     "DeliveryTrial",
     "Experiment",
     "Summary",
@@ -29,6 +37,8 @@ __all__ = [
     "delivery_trial",
     "delivery_trials",
     "disturbed",
+    "generalization_tables",
+    "generalization_trials",
     "hierarchical_tables",
     "hierarchical_trials",
     "links_with_init",
@@ -42,4 +52,6 @@ __all__ = [
     "taught_trials",
     "teaching_trials",
     "visits",
+    "ways",
+    "worked_course",
 ]

@@ -1,12 +1,14 @@
 """Whether a run did the task, as somebody sees it who stands beside (§4.5.3)."""
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from understudy.behaviors.track import TRACK
 from understudy.clock import CONTROL_RATE_HZ
+from understudy.execution import Event, Tally
 from understudy.geometry import Pose, angle_to_bearing, wrap_angle
-from understudy.network import Component, Nab, Network
+from understudy.network import START, Component, Nab, Network
 from understudy.sessions import Performed
 
 __all__ = ["problems_of"]
@@ -26,20 +28,22 @@ def problems_of(performed: Performed, network: Network) -> list[str]:
 
     The robot's report must say that all was done in the time allowed, and it must be true: at the moment of each step
     the robot was where the step asks it to be, looking where it asks it to look; the steps came in the order of their
-    links, at every depth; and the box that was fetched lies where it was to be brought. No person was run into, and no
-    wall or target was hit hard.
+    links, at every depth, and where there are alternatives, along one of the ways; and the box that was fetched lies
+    where it was to be brought. No person was run into, and no wall or target was hit hard.
     """
     report = performed.report
     achieved = dict(report.achieved)
     problems: list[str] = []
     if not report.done:
-        missing = ", ".join(_missing(network, achieved)) or "nothing"
+        told = [Event(time_s=time_s, kind="achieved", component=id_) for id_, time_s in report.achieved]
+        missing = ", ".join(Tally(network, told).missing) or "nothing"
         problems.append(f"{report.ending}; missing {missing}")
     problems += [
         f"{target} was achieved before {source}"
         for source, target in _orders(network)
         if target in achieved and achieved.get(source, math.inf) > achieved[target]
     ]
+    problems += _strayed(network, list(achieved))
     for id_, time_s in report.achieved:
         component = network.by_path[id_]
         if isinstance(component, Component) and component.behavior == "Track":
@@ -49,26 +53,30 @@ def problems_of(performed: Performed, network: Network) -> list[str]:
     return problems + [f"ran into a {what} ({count} ×)" for what, count in performed.verdict.collisions.items()]
 
 
-def _missing(network: Network, achieved: Collection[str], path: str = "") -> Iterator[str]:
-    """Paths of what was not achieved: of a network with one case, of its parts."""
-    for part in network.components:
-        if f"{path}{part.id}" in achieved or part.trigger is not None:
-            continue
-        if isinstance(part, Nab) and len(part.cases) == 1:
-            yield from _missing(
-                part.network, achieved, "/".join(filter(None, (path + part.id, part.cases[0].name))) + "/"
-            )
-        else:
-            yield f"{path}{part.id}"
-
-
 def _orders(network: Network, path: str = "") -> Iterator[tuple[str, str]]:
     """Which paths come before which, by the links of the networks at every depth."""
-    for link in network.links:
+    for link in network.links if not network.paths else ():
         yield f"{path}{link.source}", f"{path}{link.target}"
+    for inside, inner in _inside(network, path):
+        yield from _orders(inner, inside)
+
+
+def _strayed(network: Network, achieved: Sequence[str], path: str = "") -> Iterator[str]:
+    """Where a step came next to which no way leads on, or only one that a direct way leads past."""
+    if network.paths:
+        steps = [id_ for id_ in (one.removeprefix(path) for one in achieved) if id_ in network.topology.ids]
+        for before, step in pairwise((START, *steps)):
+            if step not in network.topology.candidates[before]:
+                yield f"{path}{step} was achieved after {path}{before}, which is no way through the task"
+    for inside, inner in _inside(network, path):
+        yield from _strayed(inner, [one for one in achieved if one.startswith(inside)], inside)
+
+
+def _inside(network: Network, path: str) -> Iterator[tuple[str, Network]]:
+    """The networks that stand in one, with what the paths of their components begin with."""
     for part in network.components:
         for case in part.cases if isinstance(part, Nab) else ():
-            yield from _orders(case.network, "/".join(filter(None, (path + part.id, case.name))) + "/")
+            yield "/".join(filter(None, (path + part.id, case.name))) + "/", case.network
 
 
 def _misplaced(performed: Performed, id_: str, component: Component, time_s: float) -> list[str]:

@@ -6,6 +6,7 @@ from functools import partial
 from types import MappingProxyType
 
 from understudy.experiments.delivery import delivery_tables, delivery_trials
+from understudy.experiments.generalization import generalization_tables, generalization_trials
 from understudy.experiments.hierarchical import hierarchical_tables, hierarchical_trials
 from understudy.experiments.planned import planned_tables, planned_trials
 from understudy.experiments.trials import Trial, taught_trials
@@ -36,7 +37,8 @@ EXPERIMENTS: Mapping[str, Experiment] = MappingProxyType(
         "transport": Experiment(trials=partial(taught_trials, "transport")),
         "hierarchical": Experiment(trials=hierarchical_trials, tables=hierarchical_tables),
         "delivery": Experiment(trials=delivery_trials, tables=delivery_tables),
+        "generalization": Experiment(trials=generalization_trials, tables=generalization_tables),
         "planned": Experiment(trials=planned_trials, tables=planned_tables),
     }
 )
-"""By name: §4.5.4.1, §4.5.4.3, §3.5.3, §3.5.2, and tasks from goals (§3.3.1)."""
+"""By name: §4.5.4.1, §4.5.4.3, §3.5.3, §3.5.2, §5.4.3, and tasks from goals (§3.3.1)."""

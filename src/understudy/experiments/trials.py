@@ -130,12 +130,12 @@ def run_trials(
         experiment: its name, for the records.
         world: the room in which it was taught.
         network: the task.
-        room: ``same`` or ``changed``.
+        room: ``changed`` is the room rearranged by the seed of each trial; by any other name it is as it was.
         seeds: one a trial.
         limit_s: the time allowed; §4.5.4.1 allows 5 minutes.
     """
     for seed in seeds:
-        place = world if room == "same" else rearranged(world, seed)
+        place = rearranged(world, seed) if room == "changed" else world
         performed = perform(experiment, network, place, installed_skills(), seed=seed, limit_s=limit_s)
         yield Trial(
             experiment=experiment,
