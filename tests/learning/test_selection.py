@@ -51,12 +51,19 @@ def test_what_is_kept_is_long_enough_near_enough_and_salient(
     expected = [
         observation
         for observation, (span, behavior, far) in zip(observations, shown, strict=True)
-        if span[1] - span[0] >= 400
+        if (span[1] - span[0] >= 400 or was_done_at_a_word(span, behavior, said, max(grace, delay)))
         and far <= 2.0
         and is_salient(span, behavior, said, demonstration_start=0, grace=grace, delay=delay)
     ]
     assert [(kept.instance, kept.interval) for kept in selection.kept] == [(o.instance, o.interval) for o in expected]
     assert len(selection.kept) + len(selection.dropped) == len(observations)
+
+
+def was_done_at_a_word(span: Span, behavior: str, said: list[tuple[int, str]], delay: int) -> bool:
+    """Whether the robot itself brought it about: such a step counts however short it was seen."""
+    word = {"PickUp": "TAKE", "Drop": "DROP"}.get(behavior)
+    before = [time for time, one in said if one == word and time <= span[0]]
+    return bool(before) and span[0] - max(before) <= delay
 
 
 def test_the_reasons_are_told() -> None:
@@ -70,6 +77,13 @@ def test_the_reasons_are_told() -> None:
         "3.1 m away (at most 2 m)",
         "no cue while it was true",
     ]
+
+
+def test_all_observations_may_be_kept_whatever_the_words_fall_on() -> None:
+    demonstration = demonstrated(seen(10, 20), seen(30, 40), seen(50, 51), cues=((35.0, Cue.HERE),))
+    selection = select(demonstration, LearningSettings(heed_cues=False))
+    assert [kept.cues for kept in selection.kept] == [(), ((35.0, Cue.HERE),)]
+    assert reasons(demonstration, heed_cues=False) == ["seen for 1.0 s only (at least 2 s)"]
 
 
 def test_exactly_two_seconds_are_enough_whatever_the_clock_says() -> None:

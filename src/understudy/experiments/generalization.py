@@ -55,9 +55,8 @@ def worked_course(seed: int | None = None) -> Course:
         duration_s += taught.demonstration.span.duration
         collisions += sum(taught.verdict.collisions.values())
         grazes += sum(taught.verdict.grazes.values())
-        problems += [
-            f"{world.name}: ran into a {what} ({count} ×)" for what, count in taught.verdict.collisions.items()
-        ]
+        hits = taught.verdict.collisions.items()
+        problems += [f"{world.name}: ran into a {what} ({count} ×)" for what, count in hits]
         try:
             network = learn(taught.demonstration, LearningSettings(heed_cues=False)).network
             tasks.append(generalize(tasks[-1], network).network if tasks else network)
