@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from understudy import __version__
-from understudy.cli import demo, doctor, explain, language, learn, plan, practice, run, schema, show, teach
+from understudy.cli import demo, doctor, explain, generalize, language, learn, plan, practice, run, schema, show, teach
 from understudy.errors import UnderstudyError
 
 __all__ = ["app", "main"]
@@ -48,6 +48,9 @@ app.command("demo", help="Teach, learn and run a task from beginning to end, wit
 app.command("teach", help="Give a demonstration in a world; writes a recording.")(teach.command)
 app.command("learn", help="Learn a task from a recording, or from a plain file of observed intervals.")(learn.command)
 app.command("plan", help="A task from a goal, such as carried(orange, pink).")(plan.command)
+app.command("generalize", help="Add demonstrations to a task: alternatives, and what all have in common.")(
+    generalize.command
+)
 app.command("run", help="Execute a task in a world; writes a recording and a report.")(run.command)
 app.command("practice", help="Execute a task under the teacher's feedback; writes the corrected task.")(
     practice.command

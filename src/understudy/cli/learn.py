@@ -2,11 +2,20 @@
 
 import json
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
 
-from understudy.cli.options import DEFAULT_WORKSPACE, Json, Name, WorkspaceFolder
+from understudy.cli.options import (
+    DEFAULT_WORKSPACE,
+    Everything,
+    Json,
+    MaxDistance,
+    MinDuration,
+    Name,
+    Order,
+    WorkspaceFolder,
+)
 from understudy.cli.rules import broken_rules
 
 __all__ = ["command"]
@@ -18,16 +27,10 @@ def command(
     ],
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     name: Name = None,
-    order: Annotated[
-        Literal["onset", "closest"],
-        typer.Option(help="Order the steps by when each was first observed, or by when the robot was closest."),
-    ] = "onset",
-    max_distance: Annotated[
-        float, typer.Option(min=0.0, help="Metres; what was last seen farther away was not visited.")
-    ] = 2.0,
-    min_duration: Annotated[
-        float, typer.Option(min=0.0, help="Seconds; shorter observations are taken for noise.")
-    ] = 2.0,
+    order: Order = "onset",
+    max_distance: MaxDistance = 2.0,
+    min_duration: MinDuration = 2.0,
+    everything: Everything = False,
     as_json: Json = False,
 ) -> None:
     """Builds the behavior network of one demonstration (§4.4)."""
@@ -37,7 +40,9 @@ def command(
     from understudy.network import Task, save_task  # noqa: PLC0415
     from understudy.sessions import Workspace, recorded_demonstration  # noqa: PLC0415
 
-    settings = LearningSettings(order=order, max_distance_m=max_distance, min_duration_s=min_duration)
+    settings = LearningSettings(
+        order=order, max_distance_m=max_distance, min_duration_s=min_duration, heed_cues=not everything
+    )
     skills = installed_skills()
     if source.suffix.lower() in (".yaml", ".yml", ".json"):
         demonstration = load_intervals(source)

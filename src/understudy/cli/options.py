@@ -1,11 +1,21 @@
 """Options that several commands share."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
-__all__ = ["DEFAULT_WORKSPACE", "Json", "Name", "Seed", "WorkspaceFolder"]
+__all__ = [
+    "DEFAULT_WORKSPACE",
+    "Everything",
+    "Json",
+    "MaxDistance",
+    "MinDuration",
+    "Name",
+    "Order",
+    "Seed",
+    "WorkspaceFolder",
+]
 
 DEFAULT_WORKSPACE = Path("understudy-out")
 
@@ -14,4 +24,13 @@ WorkspaceFolder = Annotated[
 ]
 Seed = Annotated[int | None, typer.Option("--seed", min=0, help="Of all chance; the world's own if not given.")]
 Name = Annotated[str | None, typer.Option("--name", help="Instead of the name it would get by itself.")]
+Order = Annotated[
+    Literal["onset", "closest"],
+    typer.Option(help="Order the steps by when each was first observed, or by when the robot was closest."),
+]
+MaxDistance = Annotated[float, typer.Option(min=0.0, help="Metres; what was last seen farther away was not visited.")]
+MinDuration = Annotated[float, typer.Option(min=0.0, help="Seconds; shorter observations are taken for noise.")]
+Everything = Annotated[
+    bool, typer.Option("--everything", help="Learn all that was observed, also where no word of the teacher's fell.")
+]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object, for another program to read.")]

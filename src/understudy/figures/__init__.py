@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from understudy.figures.why import WhyWords
     from understudy.figures.words import describe_task
     from understudy.figures.words_conditions import condition_in_words
+    from understudy.figures.words_difference import describe_difference
     from understudy.figures.words_goals import goal_in_words
     from understudy.figures.words_language import compared_in_words, describe_language, membership_in_words
     from understudy.figures.words_lesson import describe_lesson
@@ -32,6 +33,7 @@ __all__ = [
     "WhyWords",
     "compared_in_words",
     "condition_in_words",
+    "describe_difference",
     "describe_language",
     "describe_lesson",
     "describe_task",
@@ -64,6 +66,7 @@ _HOMES = {
     "why": ("WhyWords",),
     "words": ("describe_task",),
     "words_conditions": ("condition_in_words",),
+    "words_difference": ("describe_difference",),
     "words_goals": ("goal_in_words",),
     "words_language": ("compared_in_words", "describe_language", "membership_in_words"),
     "words_lesson": ("describe_lesson",),

@@ -6,6 +6,7 @@ from types import MappingProxyType
 from understudy.behaviors import Skill
 from understudy.figures.labels import label_of
 from understudy.figures.numbering import cases_of
+from understudy.figures.ways import is_bypassed, with_ways
 from understudy.figures.words_controls import Wording
 from understudy.network import Case, Component, LinkType, Nab, Network
 from understudy.robot import RGB, Color
@@ -47,9 +48,9 @@ def to_dot(network: Network, *, name: str = "task", skills: Mapping[str, Skill] 
 def _network(network: Network, inside: str, wording: Wording, margin: str) -> Iterator[str]:
     for component in network.components:
         if isinstance(component, Nab):
-            yield from _nab(component, inside, wording, margin)
+            yield from _nab(component, inside, wording, margin, network)
         else:
-            yield margin + _behavior(component, inside, wording)
+            yield margin + _behavior(component, inside, wording, network)
 
     def edge(source: str, target: str, kind: str) -> str:
         ends = [
@@ -59,23 +60,26 @@ def _network(network: Network, inside: str, wording: Wording, margin: str) -> It
         ]
         return f"{margin}{_quoted(inside + source)} -> {_quoted(inside + target)} [{kind}{''.join(ends)}];"
 
-    for link in network.links:
+    for link in with_ways(network).links:
         yield edge(link.source, link.target, f"{_LINK[link.type]}, tooltip={link.type.value}")
     for source, target in network.inhibitions:
         yield edge(source, target, _RIVAL)
 
 
-def _behavior(component: Component, inside: str, wording: Wording) -> str:
+def _behavior(component: Component, inside: str, wording: Wording, network: Network) -> str:
     named = label_of(component)
     color = f", color={_quoted(_hex(named.color))}, penwidth=2.5" if named.color else ""
-    return f"{_quoted(inside + component.id)} [label={_quoted(_text(component, inside, wording))}{color}];"
+    past = ', style="rounded,dashed"' if is_bypassed(network, component.id) else ""
+    return (
+        f"{_quoted(inside + component.id)} [label={_quoted(_text(component, inside, wording, network))}{color}{past}];"
+    )
 
 
-def _nab(nab: Nab, inside: str, wording: Wording, margin: str) -> Iterator[str]:
+def _nab(nab: Nab, inside: str, wording: Wording, margin: str, network: Network) -> Iterator[str]:
     """A cluster around a point to which the lines lead that are drawn to its border."""
     path, deeper = inside + nab.id, f"{margin}  "
     yield f"{margin}subgraph {_quoted(f'cluster {path}')} {{"
-    yield f"{deeper}label={_quoted(_text(nab, inside, wording))}; penwidth=3;"
+    yield f"{deeper}label={_quoted(_text(nab, inside, wording, network))}; penwidth=3;"
     yield deeper + _point(path)
     for index, (below, letter, case) in enumerate(cases_of(path, nab)):
         choice = wording.choice(nab, index, inside)
@@ -106,9 +110,9 @@ def _case(letter: str, case: Case) -> str:
     return " · ".join(filter(None, (letter, case.name)))
 
 
-def _text(component: Component | Nab, inside: str, wording: Wording) -> str:
+def _text(component: Component | Nab, inside: str, wording: Wording, network: Network) -> str:
     named = label_of(component)
-    notes = [note.text for note in wording.notes(component, inside)]
+    notes = [note.text for note in wording.notes(component, inside, network)]
     return "\n".join(filter(None, (named.title, named.details, *notes)))
 
 

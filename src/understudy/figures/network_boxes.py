@@ -10,7 +10,7 @@ from understudy.figures.style import FAINT, INK, MUTED, PAPER, SMALL
 
 __all__ = ["draw_behavior", "draw_lines", "draw_nab", "draw_panel", "three_lines"]
 
-_QUIET = (State.WAITING, State.INHIBITED, State.RESTING, State.UNUSED, State.SKIPPED)
+_QUIET = (State.WAITING, State.INHIBITED, State.RESTING, State.UNUSED, State.SKIPPED, State.BYPASSED)
 _BUSY = (State.EXECUTING, State.SEARCHING)
 _RADIUS = 7.0
 _CHIP = 10.0
@@ -22,10 +22,10 @@ def draw_behavior(sheet: Sheet, place: Place, text: BoxText, *, z: float) -> Non
     sheet.rectangle(
         *place,
         fill=_fill(state),
-        border=FAINT if state in _QUIET else INK,
+        border=FAINT if state in _QUIET or text.bypassed else INK,
         line=2.2 if state in _BUSY else 1.0,
         radius=_RADIUS,
-        dashes=(2.6, 1.6) if state is State.SEARCHING else None,
+        dashes=(2.6, 1.6) if state is State.SEARCHING or text.bypassed else None,
         z=z,
     )
     _write(sheet, place, text, z=z + 1)
@@ -90,7 +90,7 @@ def _fill(state: State | None) -> str:
 
 def _write(sheet: Sheet, place: Place, text: BoxText, *, z: float) -> None:
     state = text.state
-    ink = MUTED if state in _QUIET else INK
+    ink = MUTED if state in _QUIET or text.bypassed else INK
     y = place.y + place.height / 2 - LINE * (text.lines - 1) / 2
     sheet.text(place.x + PAD, y, text.number, size=SMALL, color=MUTED, z=z)
     x = place.x + text.indent

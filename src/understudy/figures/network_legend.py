@@ -28,6 +28,8 @@ _NOTES = {
     "loop": "how often its steps are done",
     "until": "counts as achieved then, too",
     "timeout": "if it takes longer without success",
+    "shown": "the other demonstrations went another way",
+    "bypassed": "never done, since a direct way leads past it",
 }
 
 _Draw = Callable[[Sheet, float, float], None]

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from understudy.figures.network_layout import Place, Route, layout
 from understudy.figures.numbering import cases_of
+from understudy.figures.ways import with_ways
 from understudy.network import LinkType, Nab, Network
 
 __all__ = ["BORDER", "LinkLine", "Plan", "RivalLine", "Sizes", "SwitchLine", "plan"]
@@ -112,6 +113,7 @@ def plan(network: Network, sizes: Sizes, *, inside: str = "") -> Plan:
         sizes: of what is written.
         inside: what the paths of its components begin with.
     """
+    network = with_ways(network)
     opened = {
         component.id: _opened(component, inside + component.id, sizes)
         for component in network.components

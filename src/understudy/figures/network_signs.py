@@ -28,6 +28,8 @@ def draw_state_sign(sheet: Sheet, x: float, y: float, state: State, *, z: float 
         case State.SKIPPED:
             for step in (-3.4, 1.0):
                 sheet.line([(x + step, y - 3.6), (x + step + 3, y), (x + step, y + 3.6)], color=MUTED, width=1.4, z=z)
+        case State.BYPASSED:
+            _past(sheet, x, y, color=FAINT, z=z)
         case State.RESTING:
             for step in (-1.8, 1.8):
                 sheet.line([(x + step, y - 3.8), (x + step, y + 3.8)], color=FAINT, width=1.8, z=z)
@@ -55,6 +57,20 @@ def draw_note_sign(sheet: Sheet, x: float, y: float, kind: str, *, z: float = 6)
         case "until":
             sheet.line([(x - 2.8, y + 4.2), (x - 2.8, y - 4.2)], color=MUTED, width=1.2, z=z)
             sheet.polygon([(x - 2.8, y - 4.2), (x + 4.0, y - 2.0), (x - 2.8, y + 0.4)], fill=MUTED, z=z)
+        case "shown":
+            for step in (-3.6, 0.0, 3.6):
+                filled = MUTED if step < 0 else PAPER
+                sheet.disc(x + step, y, 1.4, fill=filled, border=MUTED, line=0.8, z=z)
+        case "bypassed":
+            _past(sheet, x, y, color=MUTED, z=z)
         case _:
             sheet.disc(x, y, 4.2, fill=PAPER, border=MUTED, line=1.1, z=z)
             sheet.line([(x, y - 2.6), (x, y), (x + 2.2, y + 1.2)], color=MUTED, width=1.1, z=z)
+
+
+def _past(sheet: Sheet, x: float, y: float, *, color: str, z: float) -> None:
+    """An arrow that goes around a dot."""
+    turn = [math.radians(angle) for angle in range(-90, 91, 15)]
+    sheet.disc(x - 1.6, y, 1.2, fill=color, border=color, line=0.4, z=z)
+    sheet.line([(x - 1.6 + 4.0 * math.cos(a), y + 4.0 * math.sin(a)) for a in turn], color=color, width=1.2, z=z)
+    sheet.polygon([(x - 3.4, y + 4.0), (x, y + 1.8), (x, y + 6.2)], fill=color, z=z)

@@ -49,6 +49,11 @@ class BoxText:
     heading: bool = False
 
     @property
+    def bypassed(self) -> bool:
+        """Whether it is never done."""
+        return any(note.kind == "bypassed" for note, _ in self.notes)
+
+    @property
     def indent(self) -> float:
         """Where the title, or its color, begins."""
         return PAD + max(text_width("88", SMALL), text_width(self.number, SMALL)) + 7.0
@@ -151,7 +156,7 @@ def texts_of(
             path = inside + component.id
             state = State(states[path]) if path in states else None
             notes = tuple(
-                (note, wrap(note.text, _TEXT, SMALL, lines=_MANY)) for note in wording.notes(component, inside)
+                (note, wrap(note.text, _TEXT, SMALL, lines=_MANY)) for note in wording.notes(component, inside, part)
             )
             label = label_of(_completed(component, skills))
             details = label.details

@@ -5,14 +5,16 @@ Where a network in a component's place has several cases, they are lettered: 3b.
 
 from collections.abc import Iterator
 
+from understudy.figures.ways import is_bypassed
 from understudy.network import Case, Nab, Network
 
-__all__ = ["cases_of", "duties_of", "letters_of", "numbers_of", "sequence_of", "told_order"]
+__all__ = ["bypassed_of", "cases_of", "duties_of", "letters_of", "numbers_of", "sequence_of", "told_order"]
 
 
 def sequence_of(network: Network) -> tuple[str, ...]:
-    """The components that the task is done with, in topological order."""
-    return tuple(id_ for id_ in network.topological_order if network.by_id[id_].trigger is None)
+    """The components that the task is done with, in topological order; where there are alternatives, any of them."""
+    steps = (id_ for id_ in network.topological_order if network.by_id[id_].trigger is None)
+    return tuple(id_ for id_ in steps if not is_bypassed(network, id_))
 
 
 def duties_of(network: Network) -> tuple[str, ...]:
@@ -21,8 +23,13 @@ def duties_of(network: Network) -> tuple[str, ...]:
 
 
 def told_order(network: Network) -> tuple[str, ...]:
-    """All components in the order of their numbers: the sequence, then its duties."""
-    return (*sequence_of(network), *duties_of(network))
+    """All components in the order of their numbers: the sequence, what direct ways lead past, then duties."""
+    return (*sequence_of(network), *bypassed_of(network), *duties_of(network))
+
+
+def bypassed_of(network: Network) -> tuple[str, ...]:
+    """The components that are never done, in topological order."""
+    return network.topology.bypassed if network.paths else ()
 
 
 def cases_of(path: str, nab: Nab) -> Iterator[tuple[str, str, Case]]:

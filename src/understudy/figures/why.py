@@ -20,6 +20,7 @@ _STATES = {
     State.ACHIEVED: "is not active; it is done",
     State.SKIPPED: "is not active; it is passed over",
     State.RESTING: "is not active; it rests",
+    State.BYPASSED: "is not active; it does not lie on the way",
     State.UNUSED: "is not active; it is not in use",
 }
 
@@ -118,6 +119,10 @@ class WhyWords:
                 return f"none of its own steps acts; the next is {other}" if other else "nothing in it acts"
             case "unused":
                 return f"{other}, of which it is a part, does not use it now" if other else "it is not in use"
+            case "path":
+                return f"{other} comes first on the way, and is not done"
+            case "bypassed":
+                return f"{other} was taken, from which no way leads to it" if other else "a direct way leads past it"
             case "resting":
                 return f"it is called {self._calls(found.component)}, and is not called now"
             case _ if found.state is State.SKIPPED:
@@ -127,6 +132,9 @@ class WhyWords:
 
     def _would_act(self, found: Explanation) -> str:
         """What would have to change, as a sentence."""
+        if found.state is State.BYPASSED:
+            other = found.missing[0].component
+            return "Not in this run." if other else "Never, as long as the direct way is there."
         if found.state is State.SKIPPED:
             return "Not again, unless a network around it is begun anew."
         if found.state is State.ACHIEVED:
@@ -143,7 +151,7 @@ class WhyWords:
         """The same condition, as it would have to be."""
         other = self.step(missing.component) if missing.component else ""
         match missing.kind:
-            case "ordering" | "enabling" | "permanent":
+            case "ordering" | "enabling" | "permanent" | "path":
                 return f"{other} were done" if missing.lacks == "achieved" else f"{other} held again"
             case "inhibited":
                 return f"{other} ended"
@@ -210,6 +218,8 @@ class WhyWords:
                 return "what it needs to act was there no longer"
             case "finished":
                 return "it had nothing more to do"
+            case "taken":
+                return f"{other} was taken"
             case "took":
                 return f"{other} took the {contested}"
             case "freed":

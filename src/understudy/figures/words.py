@@ -4,10 +4,11 @@ from collections.abc import Mapping, Sequence
 
 from understudy.behaviors import Skill
 from understudy.figures.labels import clean
-from understudy.figures.numbering import cases_of, duties_of, letters_of, sequence_of
+from understudy.figures.numbering import bypassed_of, cases_of, duties_of, letters_of, sequence_of
+from understudy.figures.ways import always_before, is_bypassed, shown_in_words
 from understudy.figures.words_controls import Wording, in_the_end
 from understudy.figures.words_goals import goal_in_words, listed
-from understudy.network import Component, LinkType, Nab, Network
+from understudy.network import END, START, Component, LinkType, Nab, Network
 
 __all__ = ["describe_task"]
 
@@ -16,7 +17,7 @@ _INDENT = "     "
 
 
 def describe_task(name: str, network: Network, skills: Mapping[str, Skill]) -> str:
-    """Tell a task as numbered steps, with what they ask of each other.
+    """Tell a task as numbered steps, with what they ask of each other, and what comes next if that is not the next one.
 
     Steps stand in the network's topological order, those of a network in a step's place below it, and duties after the
     sequence. Nothing is said of the order where each step simply follows the one before; steps without an order between
@@ -30,8 +31,10 @@ def describe_task(name: str, network: Network, skills: Mapping[str, Skill]) -> s
     Returns:
         Several lines without a newline at the end.
     """
-    count = len(network.components)
+    count = len(network.components) - len(bypassed_of(network))
     steps = f"{count} step{'' if count == 1 else 's'}"
+    if any(len(next_) > 1 for next_ in network.topology.candidates.values()):
+        steps += ", some of them alternatives"
     if not network.flat:
         steps += f", of {sum(isinstance(part, Component) for _, part in network.walk())} in all"
     telling = _Telling(network, skills)
@@ -52,7 +55,7 @@ class _Telling:
 
     def free(self, network: Network) -> bool:
         """Whether its steps are in any order, all of them."""
-        return len(sequence_of(network)) > 1 and not network.links and len(_stages(network)) == 1
+        return len(sequence_of(network)) > 1 and not (network.links or network.paths) and len(_stages(network)) == 1
 
     def network(self, network: Network, inside: str, margin: str) -> list[str]:
         """The lines of a network.
@@ -62,6 +65,14 @@ class _Telling:
             inside: what the paths of its components begin with.
             margin: before every line.
         """
+        lines = self._ways(network, inside, margin) if network.paths else self._stages(network, inside, margin)
+        if duties := duties_of(network):
+            lines.append(f"{margin}{_INDENT}beside that:")
+            for id_ in duties:
+                lines += self._step(network, id_, network.topological_order, inside, margin)
+        return lines
+
+    def _stages(self, network: Network, inside: str, margin: str) -> list[str]:
         lines: list[str] = []
         marked = False
         for index, stage in enumerate(_stages(network)):
@@ -75,11 +86,33 @@ class _Telling:
             marked = loose
             for id_ in stage:
                 lines += self._step(network, id_, stage if loose else (), inside, margin)
-        if duties := duties_of(network):
-            lines.append(f"{margin}{_INDENT}beside that:")
-            for id_ in duties:
-                lines += self._step(network, id_, network.topological_order, inside, margin)
         return lines
+
+    def _ways(self, network: Network, inside: str, margin: str) -> list[str]:
+        """The steps where there are alternatives, with what comes next where that is not the next line."""
+        steps = sequence_of(network)
+        begin = self._next(network, START, steps[0], inside)
+        lines = [f"{margin}{_INDENT}begin with {begin}:"] if begin else []
+        for id_, following in zip(steps, (*steps[1:], END), strict=True):
+            lines += self._step(network, id_, (), inside, margin)
+            if then := self._next(network, id_, following, inside):
+                lines.append(f"{margin}{_INDENT}  then {then}")
+        if bypassed := bypassed_of(network):
+            lines.append(f"{margin}{_INDENT}shown, but never done, since a direct way leads past:")
+            for id_ in bypassed:
+                lines += self._step(network, id_, (), inside, margin)
+        return lines
+
+    def _next(self, network: Network, id_: str, following: str, inside: str) -> str:
+        """What may come after a step, unless it is just the following one."""
+        candidates = network.topology.candidates[id_]
+        if candidates == (following,):
+            return ""
+        if candidates == (END,):
+            return "all is done"
+        numbers = [self.number[inside + one] for one in candidates]
+        first = ", whichever comes first" if len(numbers) > 1 else ""
+        return f"step {listed(numbers, 'or')}{first}"
 
     def _step(self, network: Network, id_: str, stage: Sequence[str], inside: str, margin: str) -> list[str]:
         path, component = inside + id_, network.by_id[id_]
@@ -126,11 +159,14 @@ class _Telling:
         told = []
         if after := [source for source in sources[LinkType.ORDERING] if source in stage]:
             told.append(f"after {self._steps(after, id_, inside)}")
-        if enabling := sources[LinkType.ENABLING]:
-            holds = "holds" if len(enabling) == 1 else "hold"
-            told.append(f"start while {self._steps(enabling, id_, inside)} still {holds}")
-        if permanent := sources[LinkType.PERMANENT]:
-            told.append(f"{self._steps(permanent, id_, inside)} must hold all the while")
+        if network.paths and component.trigger is None:
+            told += filter(None, [shown_in_words(network, id_, names=is_bypassed(network, id_))])
+        for certain, condition in ((True, ""), (False, ", if it was done")):
+            if enabling := _these(network, sources[LinkType.ENABLING], id_, certain=certain):
+                holds = "holds" if len(enabling) == 1 else "hold"
+                told.append(f"start while {self._steps(enabling, id_, inside)} still {holds}{condition}")
+            if permanent := _these(network, sources[LinkType.PERMANENT], id_, certain=certain):
+                told.append(f"{self._steps(permanent, id_, inside)} must hold all the while{condition}")
         if rivals := [rival for rival, held in network.inhibitions if held == id_]:
             told.append(f"keep still while {self._steps(rivals, id_, inside, last='or')} is under way")
         if component.until is not None:
@@ -154,6 +190,19 @@ class _Telling:
     def _index(self, path: str) -> int:
         """Which step of its own network it is."""
         return int(self.number[path].rpartition(".")[2])
+
+
+def _these(network: Network, sources: Sequence[str], target: str, *, certain: bool) -> list[str]:
+    """Those of the sources that are done before the target in any case, or those that may be."""
+    if not network.paths:
+        return list(sources) if certain else []
+    if is_bypassed(network, target):
+        return []  # nobody ever asks
+    return [
+        source
+        for source in sources
+        if not is_bypassed(network, source) and always_before(network, source, target) is certain
+    ]
 
 
 def _asks_for_holding(network: Network) -> bool:

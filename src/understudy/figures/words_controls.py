@@ -6,6 +6,7 @@ from typing import Literal
 
 from understudy.behaviors import Skill
 from understudy.figures.numbering import cases_of, numbers_of
+from understudy.figures.ways import is_bypassed, shown_in_words
 from understudy.figures.words_conditions import condition_in_words
 from understudy.network import Component, Condition, Nab, Network, Repeat, Timeout
 
@@ -17,11 +18,12 @@ class Note:
     """One control of a component.
 
     Attributes:
-        kind: which: ``duty``, ``loop``, ``until``, ``timeout``.
+        kind: which: ``duty``, ``loop``, ``until``, ``timeout``; where there are alternatives, ``shown``, by whom, and
+            ``bypassed``, what is never done.
         text: ``every 30 s``, ``3 times``, ``or until …``, ``60 s, then skip``.
     """
 
-    kind: Literal["duty", "loop", "until", "timeout"]
+    kind: Literal["duty", "loop", "until", "timeout", "shown", "bypassed"]
     text: str
 
 
@@ -49,8 +51,14 @@ class Wording:
         """
         return condition_in_words(condition, self.skills, lambda id_: f"step {self.numbers[inside + id_]}")
 
-    def notes(self, component: Component | Nab, inside: str) -> tuple[Note, ...]:
-        """All controls of a component, briefly, in the order in which they matter."""
+    def notes(self, component: Component | Nab, inside: str, network: Network | None = None) -> tuple[Note, ...]:
+        """All controls of a component, briefly, in the order in which they matter.
+
+        Args:
+            component: whose.
+            inside: what its path begins with.
+            network: in which it stands, for what is to be told of alternatives.
+        """
         notes = []
         if component.trigger is not None:
             notes.append(Note(kind="duty", text=self.calls(component, inside)))
@@ -60,6 +68,12 @@ class Wording:
             notes.append(Note(kind="until", text=f"or until {self.condition(component.until, inside)}"))
         if component.timeout is not None:
             notes.append(Note(kind="timeout", text=_short(component.timeout)))
+        if network is not None and network.paths and component.trigger is None:
+            shown = shown_in_words(network, component.id)
+            if is_bypassed(network, component.id):
+                notes.append(Note(kind="bypassed", text=f"never done{f'; {shown}' if shown else ''}"))
+            elif shown:
+                notes.append(Note(kind="shown", text=shown))
         return tuple(notes)
 
     def calls(self, component: Component | Nab, inside: str) -> str:

@@ -5,8 +5,8 @@ used after any demonstration, and another one may always be added.
 """
 
 from understudy.generalization.alignment import Match, align
-from understudy.generalization.difference import Branch, Difference
+from understudy.generalization.difference import Branch, Difference, Relaxed
 from understudy.generalization.merging import Generalized, generalize
 from understudy.generalization.symbols import Symbol, symbol_of
 
-__all__ = ["Branch", "Difference", "Generalized", "Match", "Symbol", "align", "generalize", "symbol_of"]
+__all__ = ["Branch", "Difference", "Generalized", "Match", "Relaxed", "Symbol", "align", "generalize", "symbol_of"]
