@@ -70,6 +70,5 @@ def _branch(branch: Branch, steps: _Steps) -> str:
 
 def _relaxed(relaxed: Relaxed, steps: _Steps) -> str:
     source, target = (f"step {steps.numbers[id_]}" for id_ in (relaxed.source, relaxed.target))
-    return (
-        f"for {target} it is enough that {source} {_MEANING[relaxed.now]}; one of them showed: {_MEANING[relaxed.was]}"
-    )
+    was, now = _MEANING[relaxed.was], _MEANING[relaxed.now]
+    return f"for {target} it is enough that {source} {now}, since not all showed that it {was}"
