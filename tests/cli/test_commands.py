@@ -54,7 +54,10 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_help_names_every_command(tmp_path: Path) -> None:
     help_ = understudy("--help", folder=tmp_path).stdout
-    commands = ("demo", "teach", "learn", "plan", "run", "practice", "show", "explain", "language", "schema", "doctor")
+    commands = (
+        "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "schema",
+        "doctor",
+    )  # fmt: skip
     for command in commands:
         assert f"\n  {command}" in help_
         assert "Usage:" in understudy(command, "--help", folder=tmp_path).stdout

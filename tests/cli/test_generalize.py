@@ -66,7 +66,7 @@ def test_several_at_once_and_learned_tasks_too(folder: Path) -> None:
     ("arguments", "reason"),
     [
         (("one.yaml", "two.yaml"), "one.yaml: understudy: this is no task document"),
-        (("understudy-out/one.yaml",), "Missing argument 'SOURCES...'"),
+        (("understudy-out/one.yaml",), "Missing argument 'sources'"),
         (("understudy-out/one.yaml", "none.yaml"), "none.yaml: the file cannot be read"),
         (("understudy-out/one.yaml", "none.mcap"), "none.mcap"),
         (("hierarchical", "two.yaml"), "only steps that are behaviors are aligned"),
