@@ -26,7 +26,7 @@ def written(saved: SavedContext) -> SavedContext:
 
 
 @settings(max_examples=150)
-@given(scenarios() | scenarios(nested=True), st.data())
+@given(scenarios() | scenarios(nested=True) | scenarios(alternatives=True), st.data())
 def test_what_comes_back_goes_on_as_if_nothing_had_been(scenario: Scenario, data: st.DataObject) -> None:
     pause = data.draw(st.integers(0, len(scenario.history)))
     undisturbed, paused, resumed = controller_of(scenario), controller_of(scenario), controller_of(scenario)
@@ -96,6 +96,7 @@ def broken(**changes: object) -> SavedContext:
         (broken(inhibited=("a",)), "'a' is inhibited by '', which is not there"),
         (broken(chance=(3, (1, 2), None)), "this is no state of chance"),
         (broken(components={"a": ComponentState(case="x")}), "it has no case 'x'; it has: none"),
+        (broken(taken=("b",)), "taken: no way leads from START to b"),
     ],
 )
 def test_what_does_not_fit_is_refused(saved: SavedContext, problem: str) -> None:

@@ -74,6 +74,7 @@ class SavedContext(Part):
         begun_s: when the task was begun.
         executing: the paths of those that executed, in the order in which they took their locks.
         inhibited: the paths of those that are inhibited, in the order in which that came to be.
+        taken: where there are alternatives, the paths of those on the way so far, one after the other.
         components: everything else by path; a component of which nothing is to be said is left out.
         wander: what ``Wander`` remembers.
         avoiding: ``Avoid`` overrode the wheels.
@@ -89,6 +90,7 @@ class SavedContext(Part):
     begun_s: float | None = None
     executing: tuple[str, ...] = ()
     inhibited: tuple[str, ...] = ()
+    taken: tuple[str, ...] = ()
     components: dict[str, ComponentState] = {}
     wander: dict[str, Any] = {}
     avoiding: bool = False
@@ -115,6 +117,7 @@ class SavedContext(Part):
             begun_s=context.begun.get(0),
             executing=tuple(program.nodes[row].id for row in context.executing),
             inhibited=tuple(program.nodes[row].id for row in context.inhibited),
+            taken=tuple(program.nodes[row].id for _, way in sorted(context.taken.items()) for row in way),
             components={path: state for path, state in states.items() if state != ComponentState()},
             wander=context.wander,
             avoiding=context.avoiding,
@@ -144,9 +147,10 @@ class SavedContext(Part):
                 " it was, or start anew",
                 source=source,
             )
-        for path in (*self.components, *self.executing, *self.inhibited):
+        for path in (*self.components, *self.executing, *self.inhibited, *self.taken):
             if path not in program.rows:
                 raise ContextError(f"no component of the task is called {path!r}", source=source, path="components")
+        _check_way(self.taken, program, source)
         return self._onto(program, source)
 
     def carried_over(self, program: Program) -> Context:
@@ -163,6 +167,7 @@ class SavedContext(Part):
                 "inhibited": tuple(
                     path for path in self.inhibited if path in rows and self.components[path].inhibited_by in rows
                 ),
+                "taken": tuple(path for path in self.taken if path in rows),
                 "completed": False,
             }
         )
@@ -179,6 +184,10 @@ class SavedContext(Part):
         context.random = _chance(self.chance, source)
         for path, state in self.components.items():
             _restore(context, program, rows[path], state, source)
+        for path in self.taken:
+            scope = program.scopes[program.nodes[rows[path]].scope]
+            if scope.ways is not None and rows[path] in scope.ways.ids:
+                context.taken[scope.number] = (*context.taken.get(scope.number, ()), rows[path])
         for path in self.inhibited:
             by = self.components.get(path, ComponentState()).inhibited_by
             if by not in rows:
@@ -276,6 +285,18 @@ def _restore(context: Context, program: Program, row: int, state: ComponentState
         context.chosen[row] = NOTHING if state.case is None else scopes[state.case]
     for name, begun_s in state.begun_s.items():
         context.begun[scopes[name]] = begun_s
+
+
+def _check_way(taken: tuple[str, ...], program: Program, source: str) -> None:
+    """Refuses a way through a network that is none. One that was taken before an edit need not be one any more."""
+    ways: dict[int, tuple[int, ...]] = {}
+    for row in (program.rows[path] for path in taken):
+        scope = program.scopes[program.nodes[row].scope]
+        before = ways.get(scope.number, ())
+        if scope.ways is None or row not in scope.ways.candidates(before):
+            last = program.nodes[before[-1]].id if before else "START"
+            raise ContextError(f"no way leads from {last} to {program.nodes[row].id}", source=source, path="taken")
+        ways[scope.number] = (*before, row)
 
 
 def _chance(state: tuple[int, tuple[int, ...], float | None], source: str) -> Random:

@@ -40,6 +40,10 @@ def _differences(old: Network, new: Network, inside: str) -> Iterator[str]:
         yield f"{inside}{by} does not inhibit {inside}{of} any more"
     for by, of in (pair for pair in new.inhibitions if pair not in old.inhibitions):
         yield f"{inside}{by} inhibits {inside}{of} now"
+    were = [f"{inside}{edge.source} -> {inside}{edge.target}" for edge in old.paths]
+    are = [f"{inside}{edge.source} -> {inside}{edge.target}" for edge in new.paths]
+    yield from (f"the way {step} is gone" for step in were if step not in are)
+    yield from (f"the way {step} is new" for step in are if step not in were)
 
 
 def _of_links(old: Network, new: Network, inside: str) -> Iterator[str]:
