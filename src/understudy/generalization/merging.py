@@ -39,36 +39,18 @@ def generalize(
     Raises:
         LearningError: one of them holds more than steps and links, or the demonstration has alternatives itself.
     """
-    known, added = _checked(task, names[0]), _checked(demonstration, names[1])
-    if demonstration.paths:
-        raise LearningError(
-            f"{names[1]} has alternatives, so it is not one demonstration; add those that it was made of one by one"
-        )
-    if extra := _controls(demonstration):
-        raise LearningError(f"{names[1]} has {extra}, which no demonstration shows; take it out")
-    before = _ways(task, known, names[0])
+    known = _behaviors(task, names[0])
+    _check_demonstration(demonstration, names[1])
+    before = _ways(task, names[0])
     shown, demonstration = renamed(demonstration, before.demonstrations, names[1])
-    added = _checked(demonstration, names[1])
-    word = demonstration.topological_order
-    matches = align(
-        before,
-        {id_: symbol_of(component) for id_, component in known.items()},
-        [symbol_of(added[id_]) for id_ in word],
-    )
-    taken = set(known)
-    ids = {word[match.place]: match.id for match in matches}
-    for id_ in word:
-        if id_ not in ids:
-            ids[id_] = free_id(id_, taken)
-            taken.add(ids[id_])
-    demonstration = with_ids(demonstration, ids)
-    new = _checked(demonstration, names[1])
-    steps = tuple(ids[id_] for id_ in word)
+    demonstration = with_ids(demonstration, _matched_ids(before, known, _behaviors(demonstration, names[1])))
+    added = _behaviors(demonstration, names[1])
+    steps = tuple(added)
     order = _order(before.ids, steps)
     ways = Topology(order, _edges(before, order, steps, shown))
     alternatives = bool(task.paths) or not ways.is_chain
     result = Network(
-        tuple(_component(known.get(id_), new.get(id_)) for id_ in order),
+        tuple(_component(known.get(id_), added.get(id_)) for id_ in order),
         merged_links(task, demonstration, before, alternatives=alternatives),
         task.inhibitions,
         ways.edges if alternatives else (),
@@ -76,10 +58,10 @@ def generalize(
     return Generalized(network=result, difference=difference_of(task, demonstration, result, before, shown))
 
 
-def _checked(network: Network, name: str) -> Mapping[str, Component]:
-    """The components of a network that can be generalised, by their ids."""
+def _behaviors(network: Network, name: str) -> Mapping[str, Component]:
+    """The components of a network that can be generalised, by their ids, in topological order."""
     components: dict[str, Component] = {}
-    for part in network.components:
+    for part in (network.by_id[id_] for id_ in network.topological_order):
         if not isinstance(part, Component):
             raise LearningError(
                 f"{name}: {part.id!r} is a network of its own; only steps that are behaviors are aligned"
@@ -90,14 +72,34 @@ def _checked(network: Network, name: str) -> Mapping[str, Component]:
     return components
 
 
-def _controls(network: Network) -> str:
+def _check_demonstration(network: Network, name: str) -> None:
+    parts = _behaviors(network, name).values()
+    if network.paths:
+        raise LearningError(
+            f"{name} has alternatives, so it is not one demonstration; add those that it was made of one by one"
+        )
+    extra = {key for part in parts for key in ("until", "timeout") if getattr(part, key) is not None}
     if network.inhibitions:
-        return "inhibitions"
-    has = {key for part in network.components for key in ("until", "timeout") if getattr(part, key) is not None}
-    return " and ".join(sorted(has))
+        extra.add("inhibitions")
+    if extra:
+        raise LearningError(f"{name} has {' and '.join(sorted(extra))}, which no demonstration shows; take it out")
 
 
-def _ways(task: Network, known: Mapping[str, Component], name: str) -> Topology:
+def _matched_ids(ways: Topology, known: Mapping[str, Component], added: Mapping[str, Component]) -> dict[str, str]:
+    """For every step of the demonstration the id of the same known step, or a new one."""
+    symbols = {id_: symbol_of(component) for id_, component in known.items()}
+    word = list(added)
+    matches = align(ways, symbols, [symbol_of(component) for component in added.values()])
+    ids = {word[match.place]: match.id for match in matches}
+    taken = set(known)
+    for id_ in word:
+        if id_ not in ids:
+            ids[id_] = free_id(id_, taken)
+            taken.add(ids[id_])
+    return ids
+
+
+def _ways(task: Network, name: str) -> Topology:
     """The ways through the task; a plain one that nobody demonstrated counts as one demonstration."""
     if task.paths or task.demonstrations:
         return task.topology

@@ -98,10 +98,11 @@ class Topology:
     @cached_property
     def shown_by(self) -> Mapping[str, tuple[str, ...]]:
         """For every component, the demonstrations that show it."""
-        found: dict[str, dict[str, None]] = {id_: {} for id_ in (*self.ids, END)}
+        rank = {name: index for index, name in enumerate(self.demonstrations)}
+        found: dict[str, set[str]] = {id_: set() for id_ in (*self.ids, END)}
         for edge in self.edges:
-            found[edge.target].update(dict.fromkeys(edge.shown))
-        return {id_: tuple(one for one in self.demonstrations if one in shown) for id_, shown in found.items()}
+            found[edge.target].update(edge.shown)
+        return {id_: tuple(sorted(shown, key=rank.__getitem__)) for id_, shown in found.items()}
 
     @cached_property
     def demonstrations(self) -> tuple[str, ...]:
