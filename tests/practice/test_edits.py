@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from tests.execution.strategies import networks
 from understudy.errors import NetworkError
-from understudy.network import Achieved, Component, Link, LinkType, Nab, Network
+from understudy.network import Achieved, Component, Edge, Link, LinkType, Nab, Network
 from understudy.practice import inserted, without
 
 
@@ -96,3 +96,40 @@ def test_what_cannot_be_is_refused() -> None:
     asked = Network((*TRACK.components, Component(id="b", behavior="Drop", until=Achieved(component="track-green-1"))))
     with pytest.raises(NetworkError, match="no component of this network is called 'track-green-1'"):
         without(asked, "track-green-1")
+
+
+def with_alternatives() -> Network:
+    """Either a or b, then c, and x on a way that is bypassed; d at the end."""
+    steps = (
+        ("START", "a", "1"), ("START", "b", "2"), ("a", "c", "1"), ("b", "c", "2"),
+        ("c", "x", "1"), ("c", "d", "2"), ("x", "d", "1"), ("d", "END", "12"),
+    )  # fmt: skip
+    return Network(
+        tuple(Component(id=id_, behavior="A") for id_ in "abcxd"),
+        (Link(source="c", target="d", type=LinkType.PERMANENT),),
+        paths=tuple(Edge(source=source, target=target, shown=tuple(shown)) for source, target, shown in steps),
+    )
+
+
+def test_a_step_is_taken_out_of_the_ways() -> None:
+    task = without(with_alternatives(), "c")
+    assert {(edge.source, edge.target): edge.shown for edge in task.paths} == {
+        ("START", "a"): ("1",), ("START", "b"): ("2",), ("a", "x"): ("1",), ("a", "d"): (), ("b", "x"): (),
+        ("b", "d"): ("2",), ("x", "d"): ("1",), ("d", "END"): ("1", "2"),
+    }  # fmt: skip
+    assert task.topology.bypassed == ("x",)
+    assert not task.links
+    assert without(with_alternatives(), "a").topology.candidates["START"] == ("b",)
+
+
+def test_what_is_put_in_has_no_way_around_it() -> None:
+    """§6.3.3: a new step before the last one of a generalised task."""
+    piece = Network((Component(id="n", behavior="A"), Component(id="m", behavior="A")))
+    task = inserted(with_alternatives(), "d", piece)
+    topology = task.topology
+    assert topology.candidates["c"] == ("n",)
+    assert topology.candidates["n"] == ("m",)
+    assert topology.candidates["m"] == ("d",)
+    assert topology.bypassed == ("x",)
+    assert topology.shown_by["n"] == ("1", "2")
+    assert {(link.source, link.target) for link in task.links} == {("c", "d"), ("c", "n"), ("c", "m")}

@@ -1,10 +1,11 @@
 """What feedback makes of a task: a step taken out, or a learned piece put in before one (§6.1, §6.2)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from understudy.errors import NetworkError
-from understudy.network import Link, LinkType, Network, edited, reduce_links
+from understudy.network import END, START, Edge, Link, LinkType, Network, edited, reduce_links
 
 __all__ = ["inserted", "without"]
 
@@ -40,6 +41,7 @@ def without(network: Network, path: str) -> Network:
             tuple(part for part in home.components if part.id != id_),
             (*kept, *joined),
             tuple(pair for pair in home.inhibitions if id_ not in pair),
+            _joined(home, id_) if home.paths else (),
         )
 
     return reduce_links(edited(network, inside, change))
@@ -80,9 +82,41 @@ def inserted(network: Network, before: str, piece: Network) -> Network:
         old = [link for link in home.links if link.target != id_ or link in lasting]
         where = next(index for index, part in enumerate(home.components) if part.id == id_)
         components = (*home.components[:where], *new, *home.components[where:])
-        return Network(components, (*old, *into, *through, *within, *out), home.inhibitions)
+        steps = [names[one] for one in piece.topological_order]
+        return Network(
+            components, (*old, *into, *through, *within, *out), home.inhibitions, _entered(home.paths, id_, steps)
+        )
 
     return reduce_links(edited(network, inside, change))
+
+
+def _joined(home: Network, id_: str) -> tuple[Edge, ...]:
+    """The ways without a step: what came before it comes before what came after it.
+
+    Not so past an alternative to it, which would be bypassed by that: of two ways the other one is left.
+    """
+    topology = home.topology
+    kept = {(edge.source, edge.target): edge for edge in home.paths if id_ not in (edge.source, edge.target)}
+    for first in (edge for edge in home.paths if edge.target == id_):
+        candidates = topology.candidates[first.source]
+        others = [one for one in candidates if one != id_] if id_ in candidates else []
+        for last in (edge for edge in home.paths if edge.source == id_):
+            pair = first.source, last.target
+            if pair == (START, END) or any(topology.leads(one, last.target) for one in others):
+                continue
+            edge = kept.get(pair, Edge(source=pair[0], target=pair[1]))
+            both = [name for name in first.shown if name in last.shown and name not in edge.shown]
+            kept[pair] = replace(edge, shown=(*edge.shown, *both))
+    return tuple(kept.values())
+
+
+def _entered(paths: Iterable[Edge], id_: str, steps: Sequence[str]) -> tuple[Edge, ...]:
+    """The ways with new steps, one after the other, before one that they lead to: none leads around the new ones."""
+    edges = tuple(replace(edge, target=steps[0]) if edge.target == id_ else edge for edge in paths)
+    if not edges:
+        return ()
+    shown = tuple(dict.fromkeys(name for edge in edges if edge.target == steps[0] for name in edge.shown))
+    return (*edges, *(Edge(source=a, target=b, shown=shown) for a, b in pairwise((*steps, id_))))
 
 
 def _home(network: Network, path: str) -> tuple[str, Network]:
