@@ -31,12 +31,14 @@ class Course:
         tasks: what was known after each of them.
         duration_s: from START to DONE, all three together.
         problems: what went wrong in them.
+        complaints: what the teacher waited for in vain.
         collisions, grazes: of the robot that followed.
     """
 
     tasks: tuple[Network, ...]
     duration_s: float
     problems: tuple[str, ...]
+    complaints: tuple[str, ...]
     collisions: int
     grazes: int
 
@@ -49,12 +51,14 @@ def worked_course(seed: int | None = None) -> Course:
     """
     tasks: list[Network] = []
     problems: list[str] = []
+    complaints: list[str] = []
     duration_s, collisions, grazes = 0.0, 0, 0
     for world in _rooms():
         taught = teach(world, installed_skills(), seed=seed)
         duration_s += taught.demonstration.span.duration
         collisions += sum(taught.verdict.collisions.values())
         grazes += sum(taught.verdict.grazes.values())
+        complaints += [f"{world.name}: {complaint}" for complaint in taught.complaints]
         hits = taught.verdict.collisions.items()
         problems += [f"{world.name}: ran into a {what} ({count} ×)" for what, count in hits]
         try:
@@ -63,7 +67,12 @@ def worked_course(seed: int | None = None) -> Course:
         except LearningError as error:  # a failed demonstration, too
             problems.append(str(error))
     return Course(
-        tasks=tuple(tasks), duration_s=duration_s, problems=tuple(problems), collisions=collisions, grazes=grazes
+        tasks=tuple(tasks),
+        duration_s=duration_s,
+        problems=tuple(problems),
+        complaints=tuple(complaints),
+        collisions=collisions,
+        grazes=grazes,
     )
 
 
@@ -86,7 +95,7 @@ def generalization_trials(seeds: Sequence[int]) -> Iterator[Trial]:
             room="taught",
             seed=seed,
             time_s=course.duration_s,
-            problems=(*course.problems, *(() if same else ("another task was learned",))),
+            problems=(*course.problems, *(() if same else (*course.complaints, "another task was learned"))),
             collisions=course.collisions,
             grazes=course.grazes,
         )
