@@ -12,6 +12,7 @@ from understudy.errors import LanguageError, NetworkError
 from understudy.language import Language, by_path, parse_word
 from understudy.network import (
     Component,
+    Edge,
     Happened,
     Link,
     LinkType,
@@ -258,3 +259,15 @@ def test_the_hierarchical_task_has_the_orders_of_its_four_visits() -> None:
     language = Language(network)
     assert language.count() == 24
     assert {len(word) for word in language.words()} == {11}
+
+
+def test_the_words_of_alternatives_are_their_ways() -> None:
+    """Figure 5.7: the direct way wins, and after F either A or C."""
+    steps = "START a, a c, c b, a b, b f, f a-2, f c-2, a-2 END, c-2 END"
+    paths = tuple(Edge(source=source, target=target) for source, target in (one.split() for one in steps.split(", ")))
+    network = Network(
+        tuple(Component(id=id_, behavior=id_[0].upper()) for id_ in ("a", "c", "b", "f", "a-2", "c-2")), paths=paths
+    )
+    found = Language(network, spell=by_path)
+    assert {tuple(word) for word in islice(found.words(), 9)} == {("a", "b", "f", "a-2"), ("a", "b", "f", "c-2")}
+    assert ("a", "c", "b", "f", "a-2") not in found

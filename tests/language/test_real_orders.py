@@ -20,7 +20,9 @@ def achieved(run: Driven) -> list[str]:
 
 
 @settings(max_examples=60)
-@given(st.one_of(scenarios(nested=True, max_ticks=16), scenarios(max_ticks=16)))
+@given(
+    st.one_of(scenarios(nested=True, max_ticks=16), scenarios(max_ticks=16), scenarios(alternatives=True, max_ticks=16))
+)
 def test_an_observed_order_is_in_the_language(scenario: Scenario) -> None:
     run = drive(scenario)
     states = Language(scenario.network, spell=by_path).states

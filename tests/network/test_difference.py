@@ -112,7 +112,8 @@ def _plain(network: Network) -> object:
         for part in network.components
     )
     links = {(link.source, link.target, link.type) for link in network.links}
-    return parts, links, set(network.inhibitions)
+    ways = {(edge.source, edge.target) for edge in network.paths}
+    return parts, links, set(network.inhibitions), ways
 
 
 @given(hierarchies(), st.data())

@@ -1,5 +1,6 @@
 """Alternatives: the ways through a network, in the definition and in documents."""
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from understudy.network import (
     LinkType,
     Network,
     Task,
+    differences,
     expand_links,
     load_task,
     parse_task,
@@ -148,6 +150,13 @@ def test_duties_stand_beside_the_ways() -> None:
     waiting["links"] = [{"from": "a", "to": "e", "type": "ordering"}]
     with pytest.raises(NetworkError, match=r"links\[0\]: 'e' is a duty beside alternatives"):
         parse_task(waiting)
+
+
+def test_ways_that_differ_are_told() -> None:
+    _, network = parse_task(data())
+    direct = replace(network, paths=tuple(edge for edge in network.paths if (edge.source, edge.target) != ("a", "d")))
+    assert differences(network, direct) == ("the way a -> d is gone",)
+    assert differences(direct, network) == ("the way a -> d is new",)
 
 
 @pytest.mark.parametrize("name", [START, END])

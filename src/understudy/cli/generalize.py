@@ -16,6 +16,7 @@ from understudy.cli.options import (
     Order,
     WorkspaceFolder,
 )
+from understudy.cli.rules import broken_rules
 from understudy.cli.tasks import find_task
 
 if TYPE_CHECKING:
@@ -72,14 +73,19 @@ def command(
     added = f"generalised with {', '.join(source.name for source in sources)}"
     save_task(document, Task.of(name, network, note="; ".join(filter(None, (known.note, added)))))
     pictures = picture_task(name, network, skills, path)
+    broken = broken_rules(network)
     if as_json:
-        typer.echo(json.dumps(_record(name, document, network, differences)))
+        record = _record(name, document, network, differences)
+        typer.echo(json.dumps({**record, "broken_rules": broken}))
         return
     for difference in differences:
         typer.echo(describe_difference(difference, network, skills) + "\n")
     typer.echo(describe_task(name, network, skills))
     typer.echo(f"\nThe task is in {document}, and drawn in {pictures[0]}")
-    typer.echo(f"Next: understudy run {document} --world WORLD")
+    for problem in broken:
+        typer.echo(f"It cannot be run as it is: {problem}. Mend the document, or demonstrate it again", err=True)
+    if not broken:
+        typer.echo(f"Next: understudy run {document} --world WORLD")
 
 
 def _learned(source: Path, skills: "Mapping[str, Skill]", settings: "LearningSettings") -> "tuple[str, Network]":

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from understudy.language.possibly import asked_by, asked_in, truth
-from understudy.network import Achieved, Complete, Component, Condition, Nab, Network, TimedOut
+from understudy.network import END, START, Achieved, Complete, Component, Condition, Nab, Network, TimedOut
 
 __all__ = ["Automaton", "Begun", "State"]
 
@@ -58,7 +58,7 @@ class _Part:
     Attributes:
         bit: for its place, in sets of components.
         skippable: it may be passed over.
-        after: what must be achieved before.
+        after: what must be achieved before; where there are alternatives, the way that was taken says that.
         scopes: of its cases.
         asked: some condition asks whether it is achieved, so that it matters when it is.
         blind: its cases ask for nothing that is achieved, so that it does not matter when it begins.
@@ -118,6 +118,7 @@ class _Scope:
         asked = asked_in(network).union(*map(asked_by, leaving))
         place = {component.id: index for index, component in enumerate(network.components)}
         self.place = place
+        self.topology = network.topology if network.paths else None
         self.parts = tuple(
             _Part(
                 place=place[of.id],
@@ -125,7 +126,7 @@ class _Scope:
                 of=of,
                 bit=1 << place[of.id],
                 skippable=of.timeout is not None and of.timeout.then == "skip",
-                after=sum(1 << place[link.source] for link in network.incoming[of.id]),
+                after=0 if network.paths else sum(1 << place[link.source] for link in network.incoming[of.id]),
                 scopes=tuple(_scopes(of, prefix)) if isinstance(of, Nab) else (),
                 asked=of.id in asked,
                 blind=isinstance(of, Nab) and not any(case.when and asked_by(case.when) for case in of.cases),
@@ -137,7 +138,15 @@ class _Scope:
         self.outset = self.bounds(_NOTHING)
 
     def complete(self, state: State) -> bool:
+        if self.topology is not None:
+            return END in self._candidates(state)
         return not self.sinks & ~state.achieved
+
+    def _candidates(self, state: State) -> tuple[str, ...]:
+        """What may come next where there are alternatives (§5.2): after the last of those achieved, all on one way."""
+        assert self.topology is not None
+        taken = (id_ for id_ in reversed(self.topology.ids) if state.achieved >> self.place[id_] & 1)
+        return self.topology.candidates[next(taken, START)]
 
     def so(self, condition: Condition | None, state: State) -> bool | None:
         """Whether a condition of this network is so, as far as the state says."""
@@ -168,10 +177,16 @@ class _Scope:
         """
         begun = {one.place: one for one in state.begun}
         complete = self.complete(state)
+        candidates = self._candidates(state) if self.topology is not None else None
         for part in self.parts:
             if part.after & ~state.achieved:
                 continue
             own = begun.get(part.place)
+            if candidates is not None and part.of.trigger is None and part.of.id not in candidates:
+                if own is not None:
+                    # Another one was taken while it was under way; within that tick more may be achieved in it.
+                    yield from self._inside(part, own, state)
+                continue
             if part.of.trigger is not None:
                 yield from self._duty(part, own, state, complete=complete, over=over)
             elif isinstance(part.of, Component):
@@ -280,6 +295,8 @@ class _Scope:
 
     def bounds(self, state: State) -> tuple[float, float]:
         """At least and at most so many achievements until it is complete."""
+        if self.topology is not None:
+            return self._bounds_of_ways(state)
         least = most = 0.0
         begun = {one.place: one for one in state.begun}
         for part in self.parts:
@@ -294,6 +311,33 @@ class _Scope:
                 low, high = self._bounds_of(part, None)
                 least, most = least + low, most + high
         return least, most
+
+    def _bounds_of_ways(self, state: State) -> tuple[float, float]:
+        """The same over the shortest and the longest way that is left."""
+        assert self.topology is not None
+        begun = {one.place: one for one in state.begun}
+        bounds: dict[str, tuple[float, float]] = {END: (0.0, 0.0)}
+
+        def along(candidates: tuple[str, ...]) -> tuple[float, float]:
+            both = []
+            for id_ in candidates:
+                own = (0.0, 0.0)
+                if id_ != END:
+                    part = self.parts[self.place[id_]]
+                    own = self._bounds_of(part, begun.get(part.place))
+                both.append((own[0] + bounds[id_][0], own[1] + bounds[id_][1]))
+            return min(low for low, _ in both), max(high for _, high in both)
+
+        for id_ in reversed(self.topology.ids):
+            bounds[id_] = along(self.topology.candidates[id_])
+        candidates = self._candidates(state)
+        low, high = along(candidates)
+        # What was under way when another one was taken may be at its end, too.
+        for one in state.begun:
+            part = self.parts[one.place]
+            if part.of.id not in candidates:
+                high += self._bounds_of(part, one)[1]
+        return low, math.inf if self.duties else high
 
     def _bounds_of(self, part: _Part, own: Begun | None) -> tuple[float, float]:
         if isinstance(part.of, Component):
