@@ -11,6 +11,7 @@ from understudy.network import (
     AllOf,
     Case,
     Component,
+    Edge,
     Happened,
     Holds,
     Link,
@@ -149,3 +150,12 @@ def test_the_links_of_the_hierarchical_task_are_31_and_60() -> None:
     assert (expand_links(hierarchy).link_count, expand_links(flat).link_count) == (17, 49)
     assert to_init == (14, 11)
     assert (17 + to_init[0], 49 + to_init[1]) == (31, 60)
+
+
+def test_alternatives_have_no_flat_equivalent() -> None:
+    steps_ = (("START", "x"), ("START", "y"), ("x", "END"), ("y", "END"))
+    ways = Network(steps("x", "y"), paths=tuple(Edge(source=source, target=target) for source, target in steps_))
+    with pytest.raises(NetworkError, match="a network with alternatives has no flat equivalent") as caught:
+        flattened(around(Nab.of("n", ways)))
+    assert caught.value.path == "n/paths"
+    assert flattened(ways) is ways

@@ -142,6 +142,8 @@ def _check(network: Network, path: str, *, stoppable: bool) -> None:
         path: of its components begins with this.
         stoppable: something around it may stop it before it is complete.
     """
+    if network.paths:
+        raise NetworkError("a network with alternatives has no flat equivalent", path=f"{path}paths")
     for part in network.components:
         place = f"{path}{part.id}"
         if path and part.trigger is not None:
