@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from understudy.errors import LanguageError
 from understudy.language import DROP_BEFORE_PICK_UP, Grammar, Language, check, compare, violations
-from understudy.network import Component, Network, load_task, task_names, task_path
+from understudy.network import Component, Edge, Network, load_task, task_names, task_path
 from understudy.network.builder import any_order, build, directly, do, every, in_order, named, part, repeat, within
 
 from .reference import words
@@ -176,3 +176,18 @@ def test_tasks_with_no_end_of_words_can_be_compared() -> None:
     found = compare(duty, some)
     assert found.relation == "includes"
     assert found.only_first == ("Track", "Drop")
+
+
+def test_the_rule_is_kept_on_every_way_or_on_none() -> None:
+    """A drop by the way, which another way leads past, is none to rely on."""
+
+    def task(*steps: str) -> Network:
+        parts = {"d": "Drop", "t": "Track", "p": "PickUp"}
+        paths = tuple(Edge(source=source, target=target) for source, target in (step.split() for step in steps))
+        return Network(tuple(Component(id=id_, behavior=name) for id_, name in parts.items()), paths=paths)
+
+    assert violations(task("START d", "d t", "t p", "p END")) == []
+    (either,) = violations(task("START d", "START t", "d p", "t p", "p END"))
+    assert (either.offender, either.paths) == ("p", ("t", "p"))
+    (past,) = violations(task("START d", "START t", "d t", "t p", "p END"))
+    assert past.paths == ("t", "p")

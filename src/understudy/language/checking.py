@@ -130,6 +130,8 @@ def _without_idle_orders(network: Network, rule: Grammar, *, whole: bool = True)
     """
     asked = asked_in(network)
     parts = tuple(part if isinstance(part, Component) else _inside(part, rule) for part in network.components)
+    if network.paths:
+        return replace(network, components=parts)  # one after the other as it is
     neutral = {part.id for part in parts if part.id not in asked and part.trigger is None and _is_neutral(part, rule)}
     links = network.links
 
