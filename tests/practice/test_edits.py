@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from tests.execution.strategies import networks
 from understudy.errors import NetworkError
-from understudy.network import Achieved, Component, Edge, Link, LinkType, Nab, Network
+from understudy.network import Achieved, Case, Component, Edge, Happened, Link, LinkType, Nab, Network
 from understudy.practice import inserted, without
 
 
@@ -81,6 +81,8 @@ def test_new_steps_get_the_next_free_number() -> None:
 def test_steps_of_a_network_in_a_step() -> None:
     nested = Network((Nab.of("part", TASK), Component(id="last", behavior="Drop")))
     assert list(without(nested, "part/track-green-1").by_path) == ["part", "part/drop-1", "last"]
+    alone = Network((Nab.of("part", TRACK), *TASK.components[1:]))
+    assert list(without(alone, "part/track-green-1").by_path) == ["drop-1"]
     longer = inserted(nested, "part/drop-1", TRACK)
     assert list(longer.by_path) == ["part", "part/track-green-1", "part/track-green-2", "part/drop-1", "last"]
 
@@ -89,8 +91,11 @@ def test_what_cannot_be_is_refused() -> None:
     with pytest.raises(NetworkError, match=r"'track-green-1' is the only step of the task"):
         without(TRACK, "track-green-1")
     nested = Network((Nab.of("part", TRACK),))
-    with pytest.raises(NetworkError, match=r"the only step of 'part'"):
+    with pytest.raises(NetworkError, match=r"'part' is the only step of the task"):
         without(nested, "part/track-green-1")
+    cases = (Case(name="one", network=TRACK, when=Happened(event="go")), Case(name="other", network=TASK))
+    with pytest.raises(NetworkError, match=r"the only step of the case 'part/one'"):
+        without(Network((Nab(id="part", cases=cases),)), "part/one/track-green-1")
     with pytest.raises(NetworkError, match=r"no step is called 'x'; there are: track-green-1, drop-1"):
         without(TASK, "x")
     asked = Network((*TRACK.components, Component(id="b", behavior="Drop", until=Achieved(component="track-green-1"))))

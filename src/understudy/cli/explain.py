@@ -15,8 +15,6 @@ if TYPE_CHECKING:
 
 __all__ = ["command"]
 
-_LIMIT_S = 300.0
-
 
 def command(
     run: Annotated[Path, typer.Argument(help="The recording of a run (.mcap).")],
@@ -65,6 +63,8 @@ def command(
         at = end_s
     elif at > end_s:
         typer.echo(f"The last thing that happened was at {end_s:.1f} s, and so it has stayed", err=True)
+    if history.suspended(at):
+        typer.echo("At that moment the run was suspended: the teacher was showing something (COME … GO)", err=True)
     paths = list(network.by_path) if component is None else [words.path_of(component)]
     found = [explain(history, path, at) for path in paths]
     if as_json:
@@ -80,7 +80,7 @@ def command(
 def _what_if(recording: "Recording", at: float, asked: str, words: "WhyWords", as_json: bool) -> None:
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.network import LinkType  # noqa: PLC0415
-    from understudy.sessions import what_if  # noqa: PLC0415
+    from understudy.sessions import limit_of, what_if  # noqa: PLC0415
 
     link, _, type_ = (part.strip() for part in asked.rpartition(":"))
     source, arrow, target = (part.strip() for part in link.partition("->"))
@@ -91,7 +91,7 @@ def _what_if(recording: "Recording", at: float, asked: str, words: "WhyWords", a
             param_hint="'--what-if'",
         )
     source, target = words.path_of(source), words.path_of(target)
-    with progress("running again", _LIMIT_S) as say:
+    with progress("running again", limit_of(recording)) as say:
         found = what_if(
             recording,
             at,
@@ -99,7 +99,6 @@ def _what_if(recording: "Recording", at: float, asked: str, words: "WhyWords", a
             target,
             types[type_],
             installed_skills(),
-            limit_s=_LIMIT_S,
             watch=lambda percepts, decision: say(percepts.time_s, ""),
         )
     if as_json:
@@ -109,13 +108,14 @@ def _what_if(recording: "Recording", at: float, asked: str, words: "WhyWords", a
     typer.echo(f"Had the link from {words.step(source)} to {words.step(target)} been {instead} from {at:.1f} s on:")
     report = found.performed.report
     if found.first is None:
-        typer.echo("  nothing would have been different.")
+        until = min(report.duration_s, found.ended_s)
+        typer.echo(f"  Nothing would have been different up to {until:.1f} s.")
     else:
         typer.echo(f"  At {found.first.time_s:.1f} s the runs part:")
         typer.echo(words.parting(found.first.states))
-    would = "done after" if report.done else f"not done ({report.ending}) after"
-    was = "done after" if found.done else "not done after"
-    typer.echo(f"  The task would have been {would} {report.duration_s:.1f} s; it was {was} {found.ended_s:.1f} s.")
+    would = "would have been done" if report.done else f"would not have been done ({report.ending})"
+    was = "was done" if found.done else f"was not done ({found.reason})"
+    typer.echo(f"  The task {would} after {report.duration_s:.1f} s; it {was} after {found.ended_s:.1f} s.")
     if found.performed.verdict.collisions:
         hits = ", ".join(f"{count} x {what}" for what, count in found.performed.verdict.collisions.items())
         typer.echo(f"  The robot would have bumped into things: {hits}.")

@@ -14,7 +14,9 @@ from understudy.cli.worlds import find_world
 
 if TYPE_CHECKING:
     from understudy.figures import WhyWords
-    from understudy.practice import Correction
+    from understudy.network import Network, Task
+    from understudy.perception import Percepts
+    from understudy.practice import Correction, Practice
 
 __all__ = ["command"]
 
@@ -33,7 +35,7 @@ def command(
     from understudy.behaviors import installed_skills  # noqa: PLC0415 - help must come at once
     from understudy.documents import write_new  # noqa: PLC0415
     from understudy.execution import compile_network  # noqa: PLC0415
-    from understudy.network import Task, load_task, save_task  # noqa: PLC0415
+    from understudy.network import load_task  # noqa: PLC0415
     from understudy.sessions import Workspace, practise  # noqa: PLC0415
 
     task = find_task(task)
@@ -43,23 +45,31 @@ def command(
     room = find_world(world)
     place = Workspace(workspace)
     stem = place.free(f"{document.name} practice", ".mcap", ".json", ".yaml")
+    latest: list[Practice] = []
+
+    def watch(percepts: "Percepts", practice: "Practice") -> None:
+        latest[:] = [practice]
+        say(percepts.time_s, f"{len(practice.corrections)} corrections")
+
     with progress(f"practising {document.name}", limit) as say:
-        practised = practise(
-            document.name,
-            network,
-            room,
-            skills,
-            seed=seed,
-            limit_s=limit,
-            recording=stem.with_suffix(".mcap"),
-            watch=lambda percepts, practice: say(percepts.time_s, f"{len(practice.corrections)} corrections"),
-        )
+        try:
+            practised = practise(
+                document.name,
+                network,
+                room,
+                skills,
+                seed=seed,
+                limit_s=limit,
+                recording=stem.with_suffix(".mcap"),
+                watch=watch,
+            )
+        except BaseException:
+            # What the teacher has said until now must not be lost, whatever stopped the robot.
+            if latest and (saved := _keep(latest[0].network, network, document, stem)) is not None:
+                typer.echo(f"Corrected task so far in {saved}", err=True)
+            raise
     report = practised.report
-    corrected = None
-    if report.network != network:
-        corrected = stem.with_suffix(".yaml")
-        note = f"{document.note}\ncorrected in practice".strip()
-        save_task(corrected, Task.of(document.name, report.network, note=note))
+    corrected = _keep(report.network, network, document, stem)
     record = practised.as_record() | {"corrected": str(corrected) if corrected is not None else None}
     write_new(stem.with_suffix(".json"), json.dumps(record, indent=2) + "\n")
     if as_json:
@@ -71,7 +81,8 @@ def command(
             _say(correction, WhyWords(correction.before, skills), WhyWords(correction.after, skills))
         for complaint in practised.complaints:
             typer.echo(f"  The teacher: {complaint}")
-        typer.echo(f"{'Done' if report.done else 'Not done'} after {report.duration_s:.1f} s.")
+        ended = "Done" if report.done else f"Not done ({report.ending})"
+        typer.echo(f"{ended} after {report.duration_s:.1f} s.")
         if not practised.verdict.clean:
             hits = ", ".join(f"{count} × {what}" for what, count in practised.verdict.collisions.items())
             typer.echo(f"The robot bumped into things: {hits}")
@@ -80,6 +91,17 @@ def command(
         for problem in broken_rules(report.network):
             typer.echo(f"It is not run as it is: {problem}. Practise it again, or mend the document", err=True)
     raise typer.Exit(0 if report.done else 1)
+
+
+def _keep(corrected: "Network", network: "Network", document: "Task", stem: Path) -> Path | None:
+    """Writes the corrected task, if there is anything to be written."""
+    from understudy.network import Task, save_task  # noqa: PLC0415
+
+    if corrected == network:
+        return None
+    path = stem.with_suffix(".yaml")
+    save_task(path, Task.of(document.name, corrected, note=document.note))
+    return path
 
 
 def _say(correction: "Correction", before: "WhyWords", after: "WhyWords") -> None:

@@ -33,7 +33,9 @@ def command(
             help="Change the room first: everything gets another place, drawn by this seed (which is the run's, too).",
         ),
     ] = None,
-    limit: Annotated[float, typer.Option(min=0.1, help="Seconds of simulated time allowed.")] = 300.0,
+    limit: Annotated[
+        float, typer.Option(min=0.1, help="Seconds of simulated time allowed, from the beginning of the run.")
+    ] = 300.0,
     pause_at: Annotated[
         float | None, typer.Option("--pause-at", min=0.0, help="Put the run aside after so many seconds.")
     ] = None,
@@ -105,7 +107,9 @@ def command(
                 watch=watch,
             )
         except KeyboardInterrupt:
-            typer.echo(f"Go on with: understudy run {given} --resume {recording}", err=True)
+            typer.echo(
+                f"Go on with: understudy run {given} --resume {recording if recording.exists() else resume}", err=True
+            )
             raise
     aside = None
     if performed.paused is not None:

@@ -25,6 +25,7 @@ _Kind = Literal[
     "released",
     "finished",
     "taken",
+    "removed",
     "changed",
 ]
 
@@ -37,8 +38,9 @@ class Cause:
         kind: the run ``began``; a network was ``begun``, or begun anew, or ``ended``; a component was ``achieved``, was
             ``skipped``, was ``called``; its goal was ``reached`` or ``lost``; what the component needs to act ``came``
             or ``went``; another ``took`` its actuators or ``freed`` them; a rival ``inhibited`` it or ``released`` it;
-            it ``finished``, some time after it was achieved; another component was ``taken`` on the way instead; or
-            none of these happened to it or to those on which it hangs: something else ``changed``.
+            it ``finished``, some time after it was achieved; another component was ``taken`` on the way instead; a
+            teacher ``removed`` it; or none of these happened to it or to those on which it hangs: something else
+            ``changed``.
         component: whom it happened to; the component itself, or another one.
         time_s: when.
     """
@@ -83,6 +85,8 @@ class _Moment:
         waits_for = str(self.since.why.get("for", ""))
         if state is State.SKIPPED:
             return "skipped", path
+        if self.since.why.get("reason") == "removed":
+            return "removed", path
         if state is State.INHIBITED:
             return "inhibited", str(self.since.why["by"])
         if state is State.BYPASSED and "by" in self.since.why:

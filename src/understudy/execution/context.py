@@ -77,6 +77,15 @@ class Context:
         count = len(program.nodes)
         return cls(effects=[False] * count, achieved=[False] * count, random=Random(seed))
 
+    def pass_over(self, seconds: float) -> None:
+        """Time has passed in which nothing was executed: the clocks do not count it, and primitives begin anew."""
+        if self.time_s is not None:
+            self.time_s += seconds
+        self.begun = {scope: time_s + seconds for scope, time_s in self.begun.items()}
+        self.due_s = {row: time_s + seconds for row, time_s in self.due_s.items()}
+        self.keep_on = frozenset()
+        self.memories, self.wander = {}, {}
+
     def forget(self, program: Program, nab: int) -> None:
         """A NAB is begun anew: what it contains has not been achieved, and has no past (semantics §3)."""
         inside = range(nab + 1, max(program.scopes[scope].end for scope in program.nodes[nab].scopes))

@@ -22,9 +22,10 @@ class Missing:
         kind: the link that is not satisfied (``ordering``, ``enabling``, ``permanent``); a rival that executes
             (``inhibited``) or has executed in the last tick; the actuators, which are another's (``locked``); its world
             precondition (``world``); a NAB none of whose parts executes (``parts``); the network in which it stands is
-            not in use (``unused``); it is a duty that is not called (``resting``); nobody needs it (``level``). Where
-            there are alternatives: another component comes first on the way (``path``); or none that is still open
-            leads to it (``bypassed``), since another component was taken or, if none is named, in every run.
+            not in use (``unused``), or it was ``removed`` from the task in practice; it is a duty that is not called
+            (``resting``); nobody needs it (``level``). Where there are alternatives: another component comes first on
+            the way (``path``); or none that is still open leads to it (``bypassed``), since another component was taken
+            or, if none is named, in every run.
         component: the path of the other component on which it hangs; empty if there is none.
         lacks: of a link, whether its predecessor has not been ``achieved``, or has been and its goal does not ``hold``.
     """
@@ -38,6 +39,7 @@ class Missing:
         "world",
         "parts",
         "unused",
+        "removed",
         "resting",
         "level",
         "path",
@@ -144,6 +146,8 @@ def _missing(history: History, path: str, told: StateChange, at_s: float) -> Ite
     match told.state:
         case State.INHIBITED:
             yield Missing(kind="inhibited", component=why["by"])
+        case State.UNUSED if why.get("reason") == "removed":
+            yield Missing(kind="removed")
         case State.UNUSED:
             yield Missing(kind="unused", component=history.nab_of(path))
         case State.RESTING:

@@ -99,6 +99,17 @@ class History:
             raise UnderstudyError(f"nothing is known of {path!r} at {at_s:g} s: {begun}")
         return found
 
+    def latest(self, path: str, at_s: float) -> StateChange | None:
+        """The state of a component at a moment; None if nothing had been told of it by then."""
+        states = self._states[path]
+        index = bisect_right(states, at_s + _SLACK_S, key=lambda told: told.time_s)
+        return states[index - 1] if index else None
+
+    def suspended(self, at_s: float) -> bool:
+        """Whether the run was suspended at a moment: a teacher was showing something (§6.2)."""
+        kinds = [event.kind for event in self.events if event.time_s <= at_s + _SLACK_S]
+        return next((kind == "suspended" for kind in reversed(kinds) if kind in ("suspended", "resumed")), False)
+
     def last(self, path: str, kind: str, at_s: float) -> Event | None:
         """The latest event of one kind about a component, up to a moment; None if there is none."""
         return next((self.events[index] for index in self._of(path, kind, at_s)), None)

@@ -4,9 +4,9 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 from random import Random
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import ValidationError
+from pydantic import Field, ValidationError
 
 from understudy.documents import Part, expect_kind, first_fault, read_data, write_new
 from understudy.errors import ContextError, NetworkError
@@ -69,6 +69,7 @@ class SavedContext(Part):
         understudy: kind and version of the document.
         task: what was executed, written out.
         recording: the file beside this one that holds what the robot sensed and did until then; empty if there is none.
+        seed: of all chance in that run; None if nobody knows.
         tick: how many ticks were made.
         time_s: of the last one; None before the first.
         begun_s: when the task was begun.
@@ -84,8 +85,9 @@ class SavedContext(Part):
 
     understudy: Literal["context/1"] = "context/1"
     task: Task
-    recording: str = ""
-    tick: int
+    recording: Annotated[str, Field(pattern=r"^[^/\\]*$")] = ""
+    seed: int | None = None
+    tick: Annotated[int, Field(ge=0)]
     time_s: float | None = None
     begun_s: float | None = None
     executing: tuple[str, ...] = ()
@@ -98,7 +100,9 @@ class SavedContext(Part):
     chance: tuple[int, tuple[int, ...], float | None]
 
     @classmethod
-    def of(cls, context: Context, program: Program, task: str, *, recording: str = "") -> "SavedContext":
+    def of(
+        cls, context: Context, program: Program, task: str, *, recording: str = "", seed: int | None = None
+    ) -> "SavedContext":
         """The document of a context.
 
         Args:
@@ -106,12 +110,14 @@ class SavedContext(Part):
             program: that it belongs to.
             task: the task's name.
             recording: the file's name, if there is one.
+            seed: of all chance in this run.
         """
         states = {node.id: _state(context, program, node.row) for node in program.nodes}
         version, numbers, gauss = context.random.getstate()
         return cls(
             task=Task.of(task, program.network),
             recording=recording,
+            seed=seed,
             tick=context.tick,
             time_s=context.time_s,
             begun_s=context.begun.get(0),

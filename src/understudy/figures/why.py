@@ -123,6 +123,8 @@ class WhyWords:
                 return f"{other} comes first on the way, and is not done"
             case "bypassed":
                 return f"{other} was taken, from which no way leads to it" if other else "a direct way leads past it"
+            case "removed":
+                return "the teacher has taken it out of the task"
             case "resting":
                 return f"it is called {self._calls(found.component)}, and is not called now"
             case _ if found.state is State.SKIPPED:
@@ -135,6 +137,8 @@ class WhyWords:
         if found.state is State.BYPASSED:
             other = found.missing[0].component
             return "Not in this run." if other else "Never, as long as the direct way is there."
+        if any(one.kind == "removed" for one in found.missing):
+            return "Not again in this run."
         if found.state is State.SKIPPED:
             return "Not again, unless a network around it is begun anew."
         if found.state is State.ACHIEVED:
@@ -218,6 +222,8 @@ class WhyWords:
                 return "what it needs to act was there no longer"
             case "finished":
                 return "it had nothing more to do"
+            case "removed":
+                return "the teacher said BAD"
             case "taken":
                 return f"{other} was taken"
             case "took":

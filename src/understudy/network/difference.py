@@ -70,12 +70,12 @@ def _of_component(old: Component | Nab, new: Component | Nab, path: str) -> Iter
     else:
         yield f"{path} is {_kind(new)}, and was {_kind(old)}"
     for what, was, now in (
-        ("end", _text(old.until), _text(new.until)),
-        ("timeout", _text(old.timeout), _text(new.timeout)),
-        ("trigger", _text(old.trigger), _text(new.trigger)),
+        ("end", old.until, new.until),
+        ("timeout", old.timeout, new.timeout),
+        ("trigger", old.trigger, new.trigger),
     ):
         if was != now:
-            yield f"the {what} of {path} is {now}, and was {was}"
+            yield f"the {what} of {path} is {_text(now)}, and was {_text(was)}"
 
 
 def _of_values(old: Mapping[str, object], new: Mapping[str, object], path: str) -> Iterator[str]:
@@ -96,10 +96,10 @@ def _of_nab(old: Nab, new: Nab, path: str) -> Iterator[str]:
         if cases[case.name].when != case.when:
             yield f"{inside} is begun if {_text(case.when)}, and was if {_text(cases[case.name].when)}"
         yield from _differences(cases[case.name].network, case.network, f"{inside}/")
-    was, now = (
-        [f"{switch.source} -> {switch.target} when {switch.when}" for switch in nab.switches] for nab in (old, new)
-    )
-    if was != now:
+    if old.switches != new.switches:
+        was, now = (
+            [f"{switch.source} -> {switch.target} when {switch.when}" for switch in nab.switches] for nab in (old, new)
+        )
         yield f"the switches of {path} are {'; '.join(now) or 'none'}, and were {'; '.join(was) or 'none'}"
     if old.repeat != new.repeat:
         yield f"the loop of {path} is {_text(new.repeat)}, and was {_text(old.repeat)}"

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from understudy.errors import NetworkError
 from understudy.network.definition import Case, LinkType, Nab, Network
+from understudy.network.reduction import expand_links, reduce_links
 
 __all__ = ["edited", "relinked"]
 
@@ -38,7 +39,9 @@ def edited(network: Network, inside: str, change: Callable[[Network], Network]) 
 
 
 def relinked(network: Network, source: str, target: str, type_: LinkType | None) -> Network:
-    """A task in which one link has another type, or is taken out.
+    """A task in which one link has another type, or is taken out; of all its links, those that a path implies included.
+
+    So nothing else changes with it: who came before whom over the link still does, if only in order.
 
     Args:
         network: the task.
@@ -49,9 +52,10 @@ def relinked(network: Network, source: str, target: str, type_: LinkType | None)
     Raises:
         NetworkError: there is no such link.
     """
-    if target not in network.by_path:
-        raise NetworkError(f"no component is called {target!r}; there are: {', '.join(network.by_path)}")
-    inside, home = network.home_of(target)
+    full = expand_links(network)
+    if target not in full.by_path:
+        raise NetworkError(f"no component is called {target!r}; there are: {', '.join(full.by_path)}")
+    inside, home = full.home_of(target)
     incoming = home.incoming[target[len(inside) :]]
     if source not in [inside + link.source for link in incoming]:
         known = ", ".join(f"{inside}{link.source} -> {target}" for link in incoming)
@@ -64,4 +68,4 @@ def relinked(network: Network, source: str, target: str, type_: LinkType | None)
         instead = () if type_ is None else (replace(link, type=type_, evidence=()),)
         return replace(network, links=(*network.links[:where], *instead, *network.links[where + 1 :]))
 
-    return edited(network, inside, change)
+    return reduce_links(edited(full, inside, change))

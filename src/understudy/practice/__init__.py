@@ -1,8 +1,9 @@
 """Practice under a teacher's feedback: BAD takes a step out, COME … GO puts missing ones in (§6)."""
 
 from understudy.practice.attribution import Attribution, attributions
+from understudy.practice.corrections import Correction, PracticeReport
 from understudy.practice.edits import inserted, without
-from understudy.practice.practising import Correction, Practice, PracticeReport
+from understudy.practice.practising import Practice
 from understudy.practice.reassigning import reassigned
 
 __all__ = [

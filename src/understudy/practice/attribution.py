@@ -79,7 +79,8 @@ def _finished(history: History, at_s: float, reaction_s: float) -> Iterator[Attr
 
 
 def _current(history: History, at_s: float) -> Iterator[Attribution]:
-    now = {path: history.states(path, at_s)[-1] for path in _steps(history)}
+    states = {path: history.latest(path, at_s) for path in _steps(history)}
+    now = {path: state for path, state in states.items() if state is not None}
     for path, told in now.items():
         if told.state is State.EXECUTING:
             yield Attribution(component=path, how="executing", since_s=told.time_s)

@@ -13,18 +13,24 @@ __all__ = ["inserted", "without"]
 def without(network: Network, path: str) -> Network:
     """A task without one of its steps: its predecessors come before its successors now (Figure 6.1).
 
+    A network in a component's place that has no other step is taken out with it.
+
     Args:
         network: the task.
         path: of the step.
 
     Raises:
-        NetworkError: there is no such step, it is the last one, or a condition asks for it.
+        NetworkError: there is no such step, nothing would be left without it, or a condition asks for it.
     """
     inside, home = _home(network, path)
     id_ = path[len(inside) :]
     if len(home.components) == 1:
-        where = f"of {inside[:-1]!r}" if inside else "of the task"
-        raise NetworkError(f"{path!r} is the only step {where}, and nothing would be left; teach another task instead")
+        around = inside[:-1]
+        if not around:
+            raise NetworkError(f"{path!r} is the only step of the task, and nothing would be left; teach another task")
+        if around not in network.by_path:
+            raise NetworkError(f"{path!r} is the only step of the case {around!r}, which would be empty; take that out")
+        return without(network, around)
 
     def change(home: Network) -> Network:
         before = [link.source for link in home.incoming[id_]]

@@ -1,70 +1,30 @@
 """A run under a teacher's eyes: the task is executed, and the teacher's words change it on the way (§6)."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Literal
+from dataclasses import replace
 
 from understudy.behaviors import Skill
 from understudy.clock import CONTROL_PERIOD_S
 from understudy.errors import LearningError, NetworkError
 from understudy.execution import Controller, Event, History, SavedContext, State
-from understudy.learning import Apprentice, Instance, LearningSettings, Observer, evaluate, learn
+from understudy.learning import Instance, LearningSettings
 from understudy.network import Component, LinkType, Network
 from understudy.perception import Perception, Percepts
-from understudy.practice.attribution import Attribution, attributions
+from understudy.practice.attribution import REACTION_S, Attribution, attributions
+from understudy.practice.corrections import Correction, Ending, PracticeReport
 from understudy.practice.edits import inserted, without
-from understudy.robot import Command, Cue, Journal, NoJournal, Observation, Robot, control
+from understudy.practice.lesson import Showing
+from understudy.robot import STOP, Command, Cue, Journal, NoJournal, Observation, Robot, control
 
-__all__ = ["Correction", "Practice", "PracticeReport"]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Correction:
-    """What one word of the teacher's, or one COME … GO, made of the task.
-
-    Attributes:
-        word: BAD, or COME.
-        time_s: when it was said.
-        meant: the steps that it may have been about; the first was taken.
-        before: the task until then.
-        after: the task from then on; the same where nothing came of it.
-        piece: of a COME, what was learned until GO; None if nothing was.
-        note: why nothing came of it.
-    """
-
-    word: Literal[Cue.BAD, Cue.COME]
-    time_s: float
-    meant: tuple[Attribution, ...]
-    before: Network
-    after: Network
-    piece: Network | None = None
-    note: str = ""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PracticeReport:
-    """How a practice run went.
-
-    Attributes:
-        done: what was executed was completed.
-        duration_s: on the robot's clock.
-        network: the task as the teacher corrected it; for the next run.
-        corrections: one for each word, in their order.
-        events: the whole trace.
-    """
-
-    done: bool
-    duration_s: float
-    network: Network
-    corrections: tuple[Correction, ...]
-    events: tuple[Event, ...]
+__all__ = ["Practice"]
 
 
 class Practice:
     """One practice run.
 
     What BAD takes out is not executed any more. What COME … GO puts in is for the next run: the robot has just been led
-    through it, and goes on where it left off (§6.2).
+    through it, and goes on where it left off (§6.2). When the task is done the robot listens on, for as long as a word
+    may be about the last step.
 
     Args:
         robot: that practises.
@@ -73,6 +33,11 @@ class Practice:
         seed: of all chance.
         settings: of the learner.
         name: of the pieces that are learned, in their evidence.
+
+    Attributes:
+        network: the task as it has been corrected until now.
+        corrections: until now.
+        history: the trace until now.
     """
 
     def __init__(
@@ -85,14 +50,16 @@ class Practice:
         settings: LearningSettings | None = None,
         name: str = "practice",
     ) -> None:
-        self.robot, self.skills, self.seed, self.name = robot, skills, seed, name
-        self.settings = replace(settings or LearningSettings(), begin=Cue.COME, end=Cue.GO)
+        self.robot, self.skills, self.seed, self.settings, self.name = robot, skills, seed, settings, name
         self.network = network
         self.controller = Controller(network, skills, robot.spec, seed=seed)
         self.perception = Perception(robot.spec, attention=self.controller.program.attention)
         self.history = History(network)
         self.corrections: list[Correction] = []
-        self._lesson: tuple[Correction, Apprentice, Observer] | None = None
+        self._showing: Showing | None = None
+        self._done_s: float | None = None
+        self._nothing_left = False
+        self._stopped_by = ""
         self._journal: Journal = NoJournal()
 
     def run(
@@ -115,117 +82,166 @@ class Practice:
         self._journal = journal or self._journal
         begun_s: float | None = None
         now_s = 0.0
-        done = False
 
         def decide(observation: Observation) -> Command | None:
-            nonlocal begun_s, now_s, done
+            nonlocal begun_s, now_s
             now_s = observation.time_s
             begun_s = now_s if begun_s is None else begun_s
             percepts = self.perception.update(observation)
-            command, done = self._step(percepts, observation.cues)
+            command = self._step(percepts, observation.cues)
             if watch is not None:
                 watch(percepts)
-            if now_s - begun_s >= limit_s and not done:
-                self._tell(Event(time_s=now_s, kind="stopped", detail={"reason": f"the time limit of {limit_s:g} s"}))
+            if self._is_over(now_s):
                 return None
-            return None if done else command
+            if now_s - begun_s >= limit_s:
+                if self._done_s is None:
+                    self._end(now_s, f"the time limit of {limit_s:g} s")
+                return None
+            return command
 
         control(self.robot, decide, self._journal, period_s=CONTROL_PERIOD_S)
+        if self._showing is not None:
+            self._correct(replace(self._showing.asked, note="GO was never said"), now_s)
+        ended_s = self._done_s if self._done_s is not None else now_s
         return PracticeReport(
-            done=done,
-            duration_s=now_s - (begun_s or 0.0),
+            done=self._done_s is not None,
+            ending=self._ending(),
+            duration_s=ended_s - (begun_s or 0.0),
             network=self.network,
             corrections=tuple(self.corrections),
             events=tuple(self.history.events),
+            stopped_by=self._stopped_by,
         )
 
-    def _step(self, percepts: Percepts, cues: Sequence[Cue]) -> tuple[Command, bool]:
-        """One tick: hear, then act; and whether the task is complete."""
-        for cue in cues:
-            self._tell(Event(time_s=percepts.time_s, kind="heard", detail={"cue": cue.value}))
-            if self._lesson is None and cue is Cue.BAD:
-                self._take_out(percepts.time_s)
-            elif self._lesson is None and cue is Cue.COME:
-                self._begin_lesson(percepts.time_s)
-        if self._lesson is not None:
-            return self._learn(percepts, cues), False
+    def _ending(self) -> Ending:
+        if self._done_s is not None:
+            return "complete"
+        if self._nothing_left:
+            return "nothing left"
+        return "timeout" if self._stopped_by else "time limit"
+
+    def _is_over(self, now_s: float) -> bool:
+        if self._showing is not None:
+            return False
+        heard_out = self._done_s is not None and now_s - self._done_s >= REACTION_S
+        return heard_out or self._nothing_left or bool(self._stopped_by)
+
+    def _step(self, percepts: Percepts, cues: Sequence[Cue]) -> Command:
+        """One tick: hear, then act."""
+        time_s = percepts.time_s
+        words = [cue for cue in cues if self._hear(cue, time_s)]
+        if self._showing is not None:
+            return self._follow(self._showing, percepts, words)
+        if self._done_s is not None or self._nothing_left:
+            return STOP
         decision = self.controller.tick(percepts)
         for event in decision.events:
             self._tell(event)
-        return decision.command, decision.complete
+        if decision.complete:
+            self._done_s = time_s
+        elif decision.stopped:
+            self._stopped_by = decision.stopped
+            self._end(time_s, f"{decision.stopped} ran out of time")
+        return decision.command
+
+    def _hear(self, cue: Cue, time_s: float) -> bool:
+        """Obeys a word; and whether it belongs to what is being shown."""
+        self._tell(Event(time_s=time_s, kind="heard", detail={"cue": cue.value}))
+        showing = self._showing is not None
+        match cue:
+            case Cue.BAD if not showing:
+                self._take_out(time_s)
+            case Cue.COME if not showing:
+                self._begin_to_show(time_s)
+                return True
+            case Cue.BAD | Cue.COME:
+                self._in_vain(cue, time_s, "it was said while something was being shown; say GO first")
+            case Cue.START | Cue.DONE:
+                self._in_vain(cue, time_s, "it belongs to a demonstration, and this is practice")
+            case _ if not showing:
+                self._in_vain(cue, time_s, "nothing is being shown; say COME first")
+            case _:
+                return True
+        return False
 
     def _take_out(self, time_s: float) -> None:
         """BAD: the step that is meant is removed, from the task and from what is being executed."""
-        meant = attributions(self.history, self.controller.program.network, time_s)
-        before, note = self.network, ""
+        meant = self._meant(time_s)
         if not meant:
-            note = "no step was under way, and none had just been finished"
-        else:
-            path = meant[0].component
-            try:
-                self.network = without(self.network, path)
-                running = without(self.controller.program.network, path)
-            except NetworkError as error:
-                self.network, note = before, str(error)
-            else:
-                context = self.controller.context
-                saved = SavedContext.of(context, self.controller.program, self.name)
-                self.controller = Controller(running, self.skills, self.robot.spec, seed=self.seed)
-                self.controller.resume(saved.carried_over(self.controller.program))
-                self._tell(Event(time_s=time_s, kind="state", component=path, detail={"state": State.UNUSED.value}))
-        correction = Correction(word=Cue.BAD, time_s=time_s, meant=meant, before=before, after=self.network, note=note)
-        self._correct(correction, time_s)
+            self._in_vain(Cue.BAD, time_s, "no step was under way, and none had just been finished")
+            return
+        before, path = self.network, meant[0].component
+        try:
+            self.network = without(before, path)
+        except NetworkError as error:
+            self._correct(
+                Correction(word=Cue.BAD, time_s=time_s, meant=meant, before=before, after=before, note=str(error)),
+                time_s,
+            )
+            return
+        self._correct(Correction(word=Cue.BAD, time_s=time_s, meant=meant, before=before, after=self.network), time_s)
+        removed = {"state": State.UNUSED.value, "reason": "removed"}
+        self._tell(Event(time_s=time_s, kind="state", component=path, detail=removed))
+        try:
+            running = without(self.controller.program.network, path)
+        except NetworkError:
+            # What is left of the task was put in by COME, and is for the next run.
+            self._nothing_left = True
+            self._end(time_s, "nothing of the task is left to execute")
+            return
+        # The name is of no account: the document is put together and taken apart again.
+        saved = SavedContext.of(self.controller.context, self.controller.program, "practice")
+        self.controller = Controller(running, self.skills, self.robot.spec, seed=self.seed)
+        self.controller.resume(saved.carried_over(self.controller.program))
 
-    def _begin_lesson(self, time_s: float) -> None:
+    def _begin_to_show(self, time_s: float) -> None:
         """COME: the run is suspended, and the teacher followed."""
-        meant = attributions(self.history, self.controller.program.network, time_s)
+        # Nothing can wait for a duty, and so nothing can come before it.
+        meant = tuple(one for one in self._meant(time_s) if not self._on_duty(one.component))
         asked = Correction(word=Cue.COME, time_s=time_s, meant=meant, before=self.network, after=self.network)
-        apprentice = Apprentice(self.skills, self.robot.spec, seed=self.seed)
-        self._lesson = asked, apprentice, Observer(self.settings)
+        self._showing = Showing(asked, self.skills, self.robot.spec, self.settings, seed=self.seed)
         self._tell(Event(time_s=time_s, kind="suspended"))
 
-    def _learn(self, percepts: Percepts, cues: Sequence[Cue]) -> Command:
+    def _follow(self, showing: Showing, percepts: Percepts, words: Sequence[Cue]) -> Command:
         """Following the teacher from COME to GO."""
-        assert self._lesson is not None
-        asked, apprentice, observer = self._lesson
-        observer.step(percepts.time_s, evaluate(percepts, self.skills), cues)
-        # To the apprentice it is a demonstration like any other.
-        words = {Cue.COME: Cue.START, Cue.GO: Cue.DONE}
-        command, news = apprentice.step(percepts, [words.get(cue, cue) for cue in cues if cue is not Cue.BAD])
+        command, news = showing.step(percepts, words)
         for record in news:
-            self._journal.event(record)
-        if Cue.GO in cues:
-            self._end_lesson(asked, observer, percepts.time_s)
+            self._tell(Event.from_record(record))
+        if Cue.GO in words:
+            self._take_in(showing, percepts.time_s)
         return command
 
-    def _end_lesson(self, asked: Correction, observer: Observer, time_s: float) -> None:
+    def _take_in(self, showing: Showing, time_s: float) -> None:
         """GO: what was shown goes before the step that COME was about, and the run goes on."""
-        self._lesson = None
+        self._showing = None
+        asked, piece, note = showing.asked, None, ""
         number = sum(one.word is Cue.COME for one in self.corrections) + 1
         try:
-            if not asked.meant:
+            before = asked.meant[0].component if asked.meant else ""
+            piece = showing.piece(f"{self.name} {number}", self._maintained(before) if before else ())
+            if not before:
                 raise LearningError("no step was under way when COME was said, so nobody knows where this belongs")
-            before = asked.meant[0].component
-            demonstration = observer.finish(name=f"{self.name} {number}")
-            held = self._maintained(before)
-            seen = tuple(
-                one
-                for one in demonstration.observations
-                if one.instance not in held or one.interval.start > demonstration.span.start
-            )
-            piece = learn(replace(demonstration, observations=seen), self.settings).network
             self.network = inserted(self.network, before, piece)
-            correction = replace(asked, before=asked.before, after=self.network, piece=piece)
         except (LearningError, NetworkError) as error:
-            correction = replace(asked, after=self.network, note=str(error))
-        self._correct(correction, time_s)
-        # The lesson does not count as time in which a step was tried.
-        if self.controller.context.time_s is not None:
-            self.controller.context.time_s = time_s
+            note = str(error)
+        self._correct(replace(asked, after=self.network, piece=piece, note=note), time_s)
+        context = self.controller.context
+        if context.time_s is not None:
+            context.pass_over(time_s - context.time_s)
+        if self._done_s is not None:
+            self._done_s += time_s - asked.time_s
         self._tell(Event(time_s=time_s, kind="resumed"))
 
+    def _meant(self, time_s: float) -> tuple[Attribution, ...]:
+        return attributions(self.history, self.controller.program.network, time_s)
+
+    def _on_duty(self, path: str) -> bool:
+        around = [path[:end] for end in range(len(path) + 1) if path[end : end + 1] in ("/", "")]
+        parts = (self.network.by_path.get(prefix) for prefix in around)
+        return any(part is not None and part.trigger is not None for part in parts)
+
     def _maintained(self, before: str) -> set[Instance]:
-        """What has to hold all the while the step is executed: no part of the lesson, but its condition."""
+        """What has to hold all the while the step is executed: no part of what is shown, but its condition."""
         inside, home = self.network.home_of(before)
         links = home.incoming[before[len(inside) :]]
         sources = [home.by_id[link.source] for link in links if link.type is LinkType.PERMANENT]
@@ -237,20 +253,26 @@ class Practice:
         named = [one.name for one in parameters if one.kind != "number" and one.name in step.parameters]
         return Instance(step.behavior, tuple((name, str(step.parameters[name])) for name in named))
 
+    def _in_vain(self, cue: Cue, time_s: float, note: str) -> None:
+        """A word of which nothing can be made."""
+        self._correct(
+            Correction(word=cue, time_s=time_s, meant=(), before=self.network, after=self.network, note=note), time_s
+        )
+
     def _correct(self, correction: Correction, now_s: float) -> None:
         self.corrections.append(correction)
         detail: dict[str, object] = {"word": correction.word.value, "said_s": correction.time_s}
+        path = ""
         if correction.meant:
-            first = correction.meant[0]
-            detail |= {
-                "how": first.how,
-                "since_s": first.since_s,
-                "others": [o.component for o in correction.meant[1:]],
-            }
+            first, *others = correction.meant
+            path = first.component
+            detail |= {"how": first.how, "since_s": first.since_s, "others": [one.component for one in others]}
         if correction.note:
             detail["note"] = correction.note
-        path = correction.meant[0].component if correction.meant else ""
         self._tell(Event(time_s=now_s, kind="corrected", component=path, detail=detail))
+
+    def _end(self, time_s: float, reason: str) -> None:
+        self._tell(Event(time_s=time_s, kind="stopped", detail={"reason": reason}))
 
     def _tell(self, event: Event) -> None:
         self.history.add(event)

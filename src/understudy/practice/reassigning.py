@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from understudy.errors import NetworkError
 from understudy.practice.attribution import Attribution
+from understudy.practice.corrections import Correction
 from understudy.practice.edits import inserted, without
-from understudy.practice.practising import Correction
 from understudy.robot import Cue
 
 __all__ = ["reassigned"]
@@ -40,15 +40,16 @@ def reassigned(corrections: Sequence[Correction], number: int, component: str) -
     result = list(corrections[: number - 1])
     task = chosen.before
     for correction in (replace(chosen, meant=(first, *others)), *corrections[number:]):
-        result.append(_made(replace(correction, before=task, after=task, note="")))
+        result.append(_made(replace(correction, before=task, after=task)))
         task = result[-1].after
     return tuple(result)
 
 
 def _made(correction: Correction) -> Correction:
     """One correction on the task before it."""
-    if not correction.meant or (correction.word is Cue.COME and correction.piece is None):
-        return replace(correction, note=correction.note or "nothing came of it")
+    if not correction.meant or (correction.word is not Cue.BAD and correction.piece is None):
+        return correction
+    correction = replace(correction, note="")
     path = correction.meant[0].component
     try:
         if correction.piece is not None:

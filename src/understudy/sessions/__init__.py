@@ -2,7 +2,7 @@
 
 from understudy.sessions.past import Past, past_at, take_up
 from understudy.sessions.practising import Practised, practise
-from understudy.sessions.recorded import spec_of, task_of, world_of
+from understudy.sessions.recorded import limit_of, seed_of, spec_of, task_of, world_of
 from understudy.sessions.running import Performed, perform
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sessions.teaching import Taught, recorded_demonstration, teach
@@ -20,10 +20,12 @@ __all__ = [
     "WhatIf",
     "Workspace",
     "file_stem",
+    "limit_of",
     "past_at",
     "perform",
     "practise",
     "recorded_demonstration",
+    "seed_of",
     "spec_of",
     "take_up",
     "task_of",

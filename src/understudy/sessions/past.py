@@ -12,7 +12,7 @@ from understudy.network import Network, differences
 from understudy.perception import Perception
 from understudy.recording import Recording, read_recording
 from understudy.robot import Command, Journal, NoJournal, Observation
-from understudy.sessions.recorded import spec_of, task_of, world_of
+from understudy.sessions.recorded import seed_of, spec_of, task_of, world_of
 from understudy.sessions.stage import Stage
 from understudy.sim import World
 
@@ -61,7 +61,7 @@ class Past:
     @property
     def seed(self) -> int:
         """Of all chance."""
-        return int(self.recording.info.metadata.get("seed", self.world.seed))
+        return seed_of(self.recording)
 
     def relive(self, stage: Stage, perception: Perception, journal: Journal | None = None) -> None:
         """Brings a fresh room, and what the robot has in mind of it, to the moment; what was recorded is told again.
@@ -78,7 +78,9 @@ class Past:
         by_time: dict[float, list[Event]] = {}
         for event in self.events:
             by_time.setdefault(event.time_s, []).append(event)
+        last_s, count = None, 0
         for recorded, command in islice(_steps(self.recording, images=False), self.context.tick):
+            last_s, count = recorded.time_s, count + 1
             observation = stage.robot.sense()
             if not _same(observation, recorded):
                 raise RecordingError(
@@ -93,6 +95,12 @@ class Past:
             stage.robot.act(command)
             journal.command(observation.time_s, command)
             stage.robot.wait()
+        if (count, last_s) != (self.context.tick, self.context.time_s):
+            ended_s, aside_s = last_s or 0.0, self.context.time_s or 0.0
+            raise RecordingError(
+                f"{self.recording.info.path} is not the recording of this run: it ends at {ended_s:g} s, and the run"
+                f" was put aside after {aside_s:g} s; put the right one beside the context document"
+            )
 
 
 def take_up(file: Path, network: Network, skills: Mapping[str, Skill]) -> Past:
@@ -114,7 +122,14 @@ def take_up(file: Path, network: Network, skills: Mapping[str, Skill]) -> Past:
     if not saved.recording:
         raise ContextError("the run was not recorded, so nothing is known of its room; start anew", source=str(file))
     context = saved.restored(compile_network(network, skills), source=str(file))
-    return Past.of(read_recording(file.with_name(saved.recording)), context)
+    past = Past.of(read_recording(file.with_name(saved.recording)), context)
+    if saved.seed is not None and saved.seed != past.seed:
+        raise ContextError(
+            f"{saved.recording} is the recording of another run: its seed is {past.seed}, and this one's was"
+            f" {saved.seed}; put the right one beside the context document",
+            source=str(file),
+        )
+    return past
 
 
 def past_at(recording: Recording, network: Network, skills: Mapping[str, Skill], at_s: float | None = None) -> Past:
@@ -141,7 +156,7 @@ def past_at(recording: Recording, network: Network, skills: Mapping[str, Skill],
         )
     if told := differences(attached[1], network):
         raise RecordingError(f"{path} is the run of another task: {told[0]}")
-    seed = int(recording.info.metadata.get("seed", 0))
+    seed = seed_of(recording)
     spec = spec_of(recording)
     controller = Controller(network, skills, spec, seed=seed)
     perception = Perception(spec, attention=controller.program.attention)

@@ -10,11 +10,11 @@ from understudy.behaviors import Skill
 from understudy.errors import WorldError
 from understudy.execution import compile_network
 from understudy.learning import LearningSettings
-from understudy.network import Network, Task, differences, task_text
+from understudy.network import Network, differences
 from understudy.perception import Percepts
 from understudy.practice import Practice, PracticeReport
-from understudy.recording import Recorder
 from understudy.robot import Journal
+from understudy.sessions.running import run_recorder
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import World
 
@@ -49,6 +49,7 @@ class Practised:
             "world": self.stage.world.name,
             "seed": self.stage.simulation.seed,
             "done": report.done,
+            "ending": report.ending,
             "duration_s": round(report.duration_s, 1),
             "corrections": [
                 {
@@ -112,19 +113,8 @@ def practise(
     with ExitStack() as stack:
         journal: Journal | None = None
         if recording is not None:
-            journal = stack.enter_context(
-                Recorder(
-                    recording,
-                    kind="run",
-                    name=name,
-                    spec=stage.robot.spec,
-                    metadata={"seed": str(stage.simulation.seed), "world": world.name, "practice": "yes"},
-                    attachments={
-                        "world.yaml": world.to_yaml().encode(),
-                        "task.yaml": task_text(Task.of(name, network)).encode(),
-                    },
-                )
-            )
+            recorder = run_recorder(recording, stage, name, network, limit_s=limit_s, practice="yes")
+            journal = stack.enter_context(recorder)
 
         def look(percepts: Percepts) -> None:
             stage.look()

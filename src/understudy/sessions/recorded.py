@@ -10,7 +10,7 @@ from understudy.recording import Recording
 from understudy.robot import PIONEER, RobotSpec
 from understudy.sim import World
 
-__all__ = ["spec_of", "task_of", "world_of"]
+__all__ = ["limit_of", "seed_of", "spec_of", "task_of", "world_of"]
 
 _ROBOTS: Mapping[str, RobotSpec] = {PIONEER.name: PIONEER}
 
@@ -27,6 +27,19 @@ def spec_of(recording: Recording) -> RobotSpec:
             f"{recording.info.path} is of a robot called {robot!r}; known here are: {', '.join(_ROBOTS)}"
         )
     return _ROBOTS[robot]
+
+
+def seed_of(recording: Recording) -> int:
+    """Of all chance in it; the world's own, or 0, where that is not said."""
+    if "seed" in recording.info.metadata:
+        return int(recording.info.metadata["seed"])
+    world = world_of(recording)
+    return world.seed if world is not None else 0
+
+
+def limit_of(recording: Recording) -> float:
+    """How many seconds the run was allowed; five minutes where that is not said (§4.5.4.1)."""
+    return float(recording.info.metadata.get("limit_s", 300.0))
 
 
 def task_of(recording: Recording) -> tuple[Task, Network] | None:

@@ -16,7 +16,7 @@ from understudy.sessions.past import Past
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import World
 
-__all__ = ["Performed", "perform"]
+__all__ = ["Performed", "perform", "run_recorder"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,9 +98,16 @@ def perform(
     with ExitStack() as stack:
         journal: Journal | None = None
         if recording is not None:
-            journal = stack.enter_context(_recorder(recording, stage, name, network))
+            journal = stack.enter_context(run_recorder(recording, stage, name, network, limit_s=limit_s))
         if past is not None:
-            past.relive(stage, perception, journal)
+            try:
+                past.relive(stage, perception, journal)
+            except BaseException:
+                # Nothing was begun: what was recorded so far is in the past's own recording.
+                stack.close()
+                if recording is not None:
+                    recording.unlink(missing_ok=True)
+                raise
             controller.resume(past.context)
 
         def look(percepts: Percepts, decision: Decision) -> None:
@@ -121,17 +128,28 @@ def perform(
     paused = None
     if report.ending == "paused":
         file = recording.name if recording is not None else ""
-        paused = SavedContext.of(controller.context, controller.program, name, recording=file)
+        seed = stage.simulation.seed
+        paused = SavedContext.of(controller.context, controller.program, name, recording=file, seed=seed)
     return Performed(task=name, report=report, recording=recording, stage=stage, verdict=stage.verdict(), paused=paused)
 
 
-def _recorder(path: Path, stage: Stage, name: str, network: Network) -> Recorder:
+def run_recorder(path: Path, stage: Stage, name: str, network: Network, *, limit_s: float, **more: str) -> Recorder:
+    """A recording of a run, with all that is needed to repeat it.
+
+    Args:
+        path: the file, which must not exist.
+        stage: where the run takes place.
+        name: of the task.
+        network: the task.
+        limit_s: the time allowed.
+        more: what else is to be known of it.
+    """
     return Recorder(
         path,
         kind="run",
         name=name,
         spec=stage.robot.spec,
-        metadata={"seed": str(stage.simulation.seed), "world": stage.world.name},
+        metadata={"seed": str(stage.simulation.seed), "world": stage.world.name, "limit_s": f"{limit_s:g}", **more},
         attachments={
             "world.yaml": stage.world.to_yaml().encode(),
             "task.yaml": task_text(Task.of(name, network)).encode(),

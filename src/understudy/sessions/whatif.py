@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from understudy.behaviors import Skill
-from understudy.errors import RecordingError
+from understudy.errors import NetworkError, RecordingError
 from understudy.execution import Decision, Event, History, State
-from understudy.network import LinkType, Network, relinked
+from understudy.network import LinkType, Network, expand_links, relinked
 from understudy.perception import Percepts
 from understudy.recording import Recording, outcome_of
 from understudy.sessions.past import past_at
-from understudy.sessions.recorded import task_of, world_of
+from understudy.sessions.recorded import limit_of, task_of, world_of
 from understudy.sessions.running import Performed, perform
 
 __all__ = ["Divergence", "WhatIf", "what_if"]
@@ -42,6 +42,7 @@ class WhatIf:
         first: where the two runs part; None if they never do.
         performed: the run that was made now.
         done: whether the recorded run was done,
+        reason: why not; empty if it was,
         ended_s: and when it ended, seconds since its beginning.
     """
 
@@ -53,6 +54,7 @@ class WhatIf:
     first: Divergence | None
     performed: Performed
     done: bool
+    reason: str
     ended_s: float
 
     def as_record(self) -> dict[str, Any]:
@@ -71,6 +73,7 @@ class WhatIf:
                 "states": {path: [was.value, would.value] for path, (was, would) in first.states.items()},
             },
             "was_done": self.done,
+            "reason": self.reason or None,
             "ended_s": round(self.ended_s, 1),
             "would": self.performed.as_record(),
         }
@@ -84,7 +87,6 @@ def what_if(
     instead: LinkType | None,
     skills: Mapping[str, Skill],
     *,
-    limit_s: float = 300.0,
     watch: Callable[[Percepts, Decision], None] | None = None,
 ) -> WhatIf:
     """Runs a recorded run again, in the same room with the same chance, with one link changed from a moment on.
@@ -95,7 +97,6 @@ def what_if(
         source, target: the paths of the link's components.
         instead: its type then; None takes it out.
         skills: by name.
-        limit_s: the time allowed for the whole run.
         watch: is called after every tick that is made anew.
 
     Raises:
@@ -111,20 +112,26 @@ def what_if(
         )
     document, network = task
     changed = relinked(network, source, target, instead)
-    inside, home = network.home_of(target)
+    inside, home = expand_links(network).home_of(target)
     was = next(link.type for link in home.incoming[target[len(inside) :]] if inside + link.source == source)
+    if instead is was:
+        raise NetworkError(f"the link {source} -> {target} is {was} as it is; ask for another type, or for none")
+    outcome = outcome_of(recording)
+    if not 0 <= at_s <= outcome.time_s:
+        raise RecordingError(
+            f"{recording.info.path}: the run went on from 0 s to {outcome.time_s:.1f} s; ask within that"
+        )
     past = past_at(recording, network, skills, at_s)
     performed = perform(
         document.name,
         changed,
         world,
         skills,
-        seed=int(recording.info.metadata.get("seed", world.seed)),
-        limit_s=limit_s,
+        seed=past.seed,
+        limit_s=limit_of(recording),
         past=past,
         watch=watch,
     )
-    outcome = outcome_of(recording)
     return WhatIf(
         time_s=at_s,
         source=source,
@@ -136,6 +143,7 @@ def what_if(
         ),
         performed=performed,
         done=outcome.done,
+        reason=outcome.reason,
         ended_s=outcome.time_s,
     )
 
