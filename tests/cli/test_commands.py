@@ -131,6 +131,18 @@ def test_what_if_a_link_were_another(tmp_path: Path) -> None:
     assert "give --at" in when.stderr
 
 
+def test_what_cannot_be_run_is_said_before(tmp_path: Path) -> None:
+    task = {"understudy": "task/1", "name": "wrong", "components": [{"id": "a", "behavior": "Trak"}]}
+    (tmp_path / "wrong.json").write_text(json.dumps(task), encoding="utf-8")
+    shown = understudy("show", "wrong.json", folder=tmp_path)
+    assert "1. Trak" in shown.stdout
+    assert "It cannot be run as it is: wrong.json: components[0] (a): there is no skill called 'Trak'" in shown.stderr
+    late = understudy("run", "hierarchical", "-w", "transport", "--limit", "0.2", folder=tmp_path, expect=1)
+    assert "Nothing in this world is pink; the robot will search for it in vain" in late.stderr
+    unnamed = understudy("show", "hierarchical", "--picture", "", folder=tmp_path, expect=2)
+    assert "a picture needs a name" in unnamed.stderr
+
+
 def test_a_run_is_put_aside_and_gone_on_with(workspace: Path) -> None:
     task = "understudy-out/tiny.yaml"
     understudy("run", task, "-w", "tiny.yaml", "-o", "whole", folder=workspace)

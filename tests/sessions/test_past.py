@@ -1,5 +1,6 @@
 """Runs put aside and gone on with; runs repeated with one link changed."""
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -7,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from understudy.behaviors import SkillSet, installed_skills
-from understudy.errors import NetworkError, RecordingError
+from understudy.errors import ContextError, NetworkError, RecordingError
 from understudy.execution import State, compile_network, load_context
 from understudy.network import LinkType, load_task, relinked, task_path
 from understudy.recording import read_recording
-from understudy.sessions import Past, past_at, perform, what_if
+from understudy.sessions import Past, past_at, perform, take_up, what_if
 from understudy.sim import load_world, world_path
 
 from .conftest import Demonstrated
@@ -87,7 +88,7 @@ def test_a_past_that_does_not_fit_is_refused(demonstrated: Show, whole: Path) ->
 
 
 def test_what_if_a_link_were_another(demonstrated: Show, whole: Path) -> None:
-    """While a link is not looked at it makes no difference; a box lost on the way does, or would not."""
+    """While nothing hangs on a link it makes no difference; a step that waits for nothing any more does not wait."""
     shown, skills = demonstrated("transport"), installed_skills()
     recording = read_recording(whole)
     permanent = next(link for link in shown.network.links if link.type is LinkType.PERMANENT)
@@ -111,8 +112,36 @@ def test_what_cannot_be_asked(demonstrated: Show, whole: Path) -> None:
     first, *_, last = (component.id for component in shown.network.components)
     with pytest.raises(NetworkError, match=f"no link {last} -> {first}; to {first} lead: none"):
         what_if(read_recording(whole), 5.0, last, first, LinkType.ORDERING, skills)
+    link = shown.network.links[0]
+    with pytest.raises(NetworkError, match=f"is {link.type} as it is; ask for another type"):
+        what_if(read_recording(whole), 5.0, link.source, link.target, link.type, skills)
+    with pytest.raises(RecordingError, match="ask within that"):
+        what_if(read_recording(whole), 500.0, link.source, link.target, None, skills)
     with pytest.raises(RecordingError, match="name a run that understudy run has made"):
         what_if(read_recording(shown.recording), 5.0, first, last, None, skills)
+
+
+def test_a_context_beside_the_wrong_recording_is_refused(demonstrated: Show, whole: Path, tmp_path: Path) -> None:
+    shown, skills = demonstrated("transport"), installed_skills()
+    files = [tmp_path / "one.mcap", tmp_path / "two.mcap"]
+    for seed, file in zip((SEED, SEED + 1), files, strict=True):
+        paused = perform("task", shown.network, shown.world, skills, seed=seed, recording=file, pause_at_s=3.0 + seed)
+        assert paused.paused is not None
+        paused.paused.save(file.with_suffix(".json"))
+    data = json.loads(files[0].with_suffix(".json").read_text())
+    (tmp_path / "mixed.json").write_text(json.dumps(data | {"recording": "two.mcap"}))
+    with pytest.raises(ContextError, match=f"of another run: its seed is {SEED + 1}, and this one's was {SEED}"):
+        take_up(tmp_path / "mixed.json", shown.network, skills)
+    (tmp_path / "mixed.json").write_text(json.dumps(data | {"recording": "two.mcap", "seed": SEED + 1, "tick": 90}))
+    past = take_up(tmp_path / "mixed.json", shown.network, skills)
+    again = tmp_path / "again.mcap"
+    with pytest.raises(RecordingError, match="is not the recording of this run"):
+        perform("task", shown.network, past.world, skills, seed=past.seed, past=past, recording=again)
+    assert not again.exists()
+    for wrong in ({"recording": "a/b.mcap"}, {"tick": -1}):
+        (tmp_path / "wrong.json").write_text(json.dumps(data | wrong))
+        with pytest.raises(ContextError, match=next(iter(wrong))):
+            take_up(tmp_path / "wrong.json", shown.network, skills)
 
 
 def test_another_skill_is_noticed(demonstrated: Show, whole: Path) -> None:

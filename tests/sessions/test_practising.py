@@ -7,7 +7,7 @@ import pytest
 from understudy.behaviors import installed_skills
 from understudy.errors import NetworkError, RecordingError, WorldError
 from understudy.execution import Event, History, State, explain
-from understudy.network import Component, Link, LinkType, Network, load_task, task_path
+from understudy.network import Component, Link, LinkType, Network, Timeout, load_task, task_path
 from understudy.practice import reassigned
 from understudy.recording import read_recording
 from understudy.robot import Cue
@@ -140,15 +140,60 @@ def silent(**teacher: object) -> World:
 
 
 def test_words_of_which_nothing_comes() -> None:
-    """COME and GO at once, and BAD for the only step: the task stays as it is, and it is said why."""
+    """BAD for the only step, COME and GO with nothing between them that holds: it is said why."""
     only = Network(CARRY.components[:1])
     script = [{"say": "BAD"}, {"wait": 1.0}, {"say": "COME"}, {"wait": 1.0}, {"say": "GO"}]
     practised = practise("short", only, silent(script=script), SKILLS)
     bad, come = practised.report.corrections
     assert practised.report.network == only
     assert "is the only step of the task" in bad.note
-    assert come.note
+    assert "nothing remains to learn" in come.note or "no skill's goal came true" in come.note
     assert practised.report.done
+
+
+def test_no_word_is_passed_over_in_silence() -> None:
+    words = ["GO", "HERE", "DONE", "COME", "BAD", "COME"]
+    script = [item for word in words for item in ({"say": word}, {"wait": 0.5})]
+    practised = practise("silence", CARRY, silent(script=script), SKILLS, limit_s=5.0)
+    assert [(one.word.value, one.note.partition(";")[0]) for one in practised.report.corrections] == [
+        ("GO", "nothing is being shown"),
+        ("HERE", "nothing is being shown"),
+        ("DONE", "it belongs to a demonstration, and this is practice"),
+        ("BAD", "it was said while something was being shown"),
+        ("COME", "it was said while something was being shown"),
+        ("COME", "GO was never said"),
+    ]
+    assert (practised.report.done, practised.report.ending) == (False, "time limit")
+    assert practised.report.network == CARRY
+
+
+def test_the_last_step_can_still_be_corrected() -> None:
+    """When the task is done the robot listens on; that does not count as time of the run."""
+    network = Network(
+        (Component(id="drop-1", behavior="Drop"), Component(id="a", behavior="Track", parameters={"color": "pink"}))
+    )
+    script = [{"say": {"word": "BAD", "when_robot_within": 0.9, "of": [4.4, 3.0], "delay": 2.0, "timeout": 60}}]
+    practised = practise("last", network, silent(script=script), SKILLS)
+    (bad,) = practised.report.corrections
+    assert (bad.meant[0].component, bad.meant[0].how) == ("a", "finished")
+    assert practised.report.done
+    assert practised.report.duration_s < bad.time_s
+    assert ids(practised.report.network) == ["drop-1"]
+
+
+def test_a_timeout_that_stops_the_run_stops_practice() -> None:
+    step = Component(id="a", behavior="Track", parameters={"color": "red"}, timeout=Timeout(seconds=1, then="stop"))
+    report = practise("late", Network((step,)), silent(script=[{"wait": 1.0}]), SKILLS).report
+    assert (report.done, report.ending, report.stopped_by) == (False, "timeout", "a")
+
+
+def test_a_long_name_is_no_obstacle() -> None:
+    network = Network(
+        (*CARRY.components, Component(id="b", behavior="Track", parameters={"color": "red"})), CARRY.links
+    )
+    practised = practise("n" * 80, network, silent(script=[{"wait": 1.0}, {"say": "BAD"}]), SKILLS, limit_s=3.0)
+    (bad,) = practised.report.corrections
+    assert bad.note == ""
 
 
 def test_somebody_must_watch(tmp_path: Path) -> None:

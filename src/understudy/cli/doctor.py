@@ -70,7 +70,7 @@ def _extra(name: str, purpose: str) -> dict[str, object]:
     try:
         return _finding(name, True, f"{version(name)} ({purpose})")
     except PackageNotFoundError:
-        return _finding(name, True, f"not installed ({purpose}): pip install {name}")
+        return _finding(name, True, f"not installed, and not needed but for this: {purpose}; pip install {name}")
 
 
 def _simulator() -> dict[str, object]:

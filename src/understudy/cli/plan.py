@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, Name, WorkspaceFolder
+from understudy.cli.rules import broken_rules
 from understudy.cli.worlds import find_world
 
 if TYPE_CHECKING:
@@ -85,7 +86,9 @@ def command(
     typer.echo(describe_task(name, network, skills))
     typer.echo()
     _say_written(written)
-    typer.echo(f"Next: understudy run {path} --world {world or 'WORLD'}")
+    # What is given at the start, as an empty gripper is, no rule knows of.
+    unchecked = " --unchecked" if broken_rules(network) else ""
+    typer.echo(f"Next: understudy run {path} --world {world or 'WORLD'}{unchecked}")
 
 
 def _say_written(files: list[Path]) -> None:

@@ -10,7 +10,7 @@ from understudy.cli.options import DEFAULT_WORKSPACE, Json, Seed, WorkspaceFolde
 from understudy.cli.progress import progress
 from understudy.cli.rules import broken_rules
 from understudy.cli.tasks import find_task
-from understudy.cli.worlds import find_world
+from understudy.cli.worlds import absent_colors, find_world
 from understudy.errors import NetworkError
 
 if TYPE_CHECKING:
@@ -82,15 +82,19 @@ def command(
         room = find_world(world)
         if rearrange is not None:
             room = rearranged(room, rearrange)
+    for color in absent_colors(network, room, skills):
+        typer.echo(f"Nothing in this world is {color}; the robot will search for it in vain", err=True)
     place = Workspace(workspace)
     stem = place.free(f"{document.name} run", ".mcap", ".json", ".context.json")
     recording = stem.with_suffix(".mcap")
+    moments: list[float] = []
     tally = Tally(network, past.events if past is not None else ())
     with progress(f"running {document.name}", limit) as say:
 
         def watch(percepts: "Percepts", decision: "Decision") -> None:
             for event in decision.events:
                 tally.add(event)
+            moments[:] = [percepts.time_s]
             say(percepts.time_s, str(tally))
 
         try:
@@ -107,9 +111,9 @@ def command(
                 watch=watch,
             )
         except KeyboardInterrupt:
-            typer.echo(
-                f"Go on with: understudy run {given} --resume {recording if recording.exists() else resume}", err=True
-            )
+            # Before its first tick there is nothing to go on with but what it was to go on from.
+            if (broken_off := recording if moments else resume) is not None:
+                typer.echo(f"Go on with: understudy run {given} --resume {broken_off}", err=True)
             raise
     aside = None
     if performed.paused is not None:

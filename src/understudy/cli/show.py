@@ -58,6 +58,8 @@ def command(
 
 def _stem(picture: Path) -> Path:
     """What people write for a picture, without the suffix that both of its files get."""
+    if not picture.name:
+        raise typer.BadParameter("a picture needs a name; give for example --picture network", param_hint="'--picture'")
     suffix = picture.suffix.lower()
     if suffix in _NOT_WRITTEN:
         raise typer.BadParameter(
@@ -69,6 +71,8 @@ def _stem(picture: Path) -> Path:
 
 def _task(source: Path, picture: Path | None, depth: int | None, dot: bool, as_json: bool) -> None:
     from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.errors import UnderstudyError  # noqa: PLC0415
+    from understudy.execution import compile_network  # noqa: PLC0415
     from understudy.figures import describe_task, to_dot  # noqa: PLC0415
     from understudy.network import load_task  # noqa: PLC0415
 
@@ -80,6 +84,11 @@ def _task(source: Path, picture: Path | None, depth: int | None, dot: bool, as_j
         typer.echo(task.model_dump_json(by_alias=True))
     else:
         typer.echo(describe_task(task.name, network, skills))
+        try:
+            compile_network(network, skills, source=str(source))
+        except UnderstudyError as error:
+            # Labels that are no skills can be shown all the same.
+            typer.echo(f"It cannot be run as it is: {error}", err=True)
         for problem in broken_rules(network):
             typer.echo(f"This is not run as it is: {problem}.", err=True)
     if picture is not None:

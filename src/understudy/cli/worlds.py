@@ -6,9 +6,13 @@ from typing import TYPE_CHECKING
 from understudy.errors import WorldError
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from understudy.behaviors import Skill
+    from understudy.network import Network
     from understudy.sim import World
 
-__all__ = ["find_world"]
+__all__ = ["absent_colors", "find_world"]
 
 
 def find_world(name: str) -> "World":
@@ -24,3 +28,15 @@ def find_world(name: str) -> "World":
     if not Path(name).exists():
         raise WorldError(f"there is no such file, and no such world among: {', '.join(world_names())}", source=name)
     return load_world(name)
+
+
+def absent_colors(network: "Network", world: "World", skills: "Mapping[str, Skill]") -> list[str]:
+    """The colors that a task asks for and that nothing in a room has: the robot would search for them in vain."""
+    present = {target.color.value for target in world.targets} | {box.color.value for box in world.boxes}
+    asked: list[str] = []
+    for part in network.by_path.values():
+        skill = skills.get(getattr(part, "behavior", ""))
+        if skill is not None:
+            named = [one.name for one in skill.abstract.parameters if one.kind == "color"]
+            asked += [str(part.parameters[name]) for name in named if name in part.parameters]  # type: ignore[union-attr]
+    return [color for color in dict.fromkeys(asked) if color not in present]

@@ -14,8 +14,8 @@ from understudy.network import Component, Network
 
 __all__ = ["MANY_STATES", "Deterministic"]
 
-MANY_STATES = 200_000
-"""More states than this are refused: they would take some fifteen seconds, and a few hundred megabytes."""
+MANY_STATES = 100_000
+"""More states than this are refused: they would take some ten seconds, and a few hundred megabytes."""
 
 
 class Deterministic:
@@ -36,6 +36,7 @@ class Deterministic:
         self._automaton, self._limit = Automaton(network), limit
         self._rank = {path: index for index, path in enumerate(self.symbol)}
         self._sets: list[frozenset[State]] = []
+        self._size = 0
         self._numbers: dict[frozenset[State], int] = {}  # of closed sets, and of those that were closed to them
         self._after: list[Mapping[str, int] | None] = []
         self._bounds: list[tuple[float, float]] = []
@@ -137,7 +138,9 @@ class Deterministic:
             number = self._numbers.get(closed)
             if number is None:
                 number = len(self._sets)
-                self._refuse(number)
+                # Where steps look alike the sets are large, and it is their size that costs.
+                self._size += len(closed)
+                self._refuse(self._size)
                 self._sets.append(closed)
                 self._after.append(None)
                 low, high = zip(*map(self._automaton.bounds, closed), strict=True)
