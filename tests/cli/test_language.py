@@ -71,7 +71,7 @@ def test_an_order_that_is_none(folder: Path) -> None:
     assert told in blocks(PAGE, "text")
     early = understudy("language", "fetch.yaml", "--contains", "Drop, Track(green)", folder=folder, expect=1).stdout
     assert early == "No: after Drop, Track(green) the task is not done yet; what can come next: PickUp(orange).\n"
-    late = "Drop, Track(green), PickUp(orange), Track(pink), Drop"
+    late = "Drop, Track(green), PickUp(orange), Track(yellow), Drop"
     over = understudy("language", "fetch.yaml", "--contains", late, "--json", folder=folder, expect=1).stdout
     assert json.loads(over) | {"word": None} == {
         "word": None, "member": False, "begins": 4, "allowed": [], "complete": True

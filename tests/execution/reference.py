@@ -439,8 +439,10 @@ class _Tick:
         changed = True
         while changed:
             changed = False
-            for part in self.parts:
-                if not context.achieved[part.path] and context.effects[part.path] and self.is_due(part):
+            # Those that are due now, and only then those that are due because of them: in document order both times.
+            reached = [part for part in self.parts if not context.achieved[part.path] and context.effects[part.path]]
+            for part in [part for part in reached if self.is_due(part)]:
+                if self.is_due(part):  # an alternative may have been taken meanwhile
                     self.achieve(part)
                     changed = True
             if changed:

@@ -123,6 +123,12 @@ def test_the_direct_way_wins_and_the_first_achieved_of_several_is_the_choice() -
 def test_of_two_at_once_the_first_in_the_document_is_taken() -> None:
     _, context = run(network("START a, START b, a END, b END"), {"a", "b"})
     assert context.taken == {0: (0,)}
+    # Also of two that come to be candidates in the same tick, one of them written before what leads to them.
+    task = Network(
+        tuple(Component(id=id_, behavior="A") for id_ in "cab"), paths=edges("START a, a b, a c, b END, c END")
+    )
+    _, context = run(task, {"a", "b", "c"})
+    assert context.taken == {0: (1, 0)}
 
 
 def test_a_broken_condition_leads_back_along_the_way_that_was_taken() -> None:
