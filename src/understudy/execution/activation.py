@@ -208,27 +208,27 @@ class Activation:
 
     def _latch(self) -> tuple[int, ...]:
         """Step 3: whoever is due and has its goal is achieved, which may make others due, in the same tick."""
-        context, nodes = self.context, self.program.nodes
+        context = self.context
         found: list[int] = []
         still_inhibited: list[int] = []
         while self.links.due or self._complete_networks():
             # One after the other as they become due; those that do so together in document order.
             round_, self.links.due = sorted(set(self.links.due)), []
-            for row in round_:
-                if context.achieved[row] or self.links.unmet[row] or not context.effects[row]:
-                    continue
-                if not self.links.in_play[row]:
-                    continue
-                node = nodes[row]
-                if not self.scopes.enabled[node.scope] or (node.trigger is not None and row not in context.called):
-                    continue
+            for row in [row for row in round_ if self._is_due(row)]:
                 if row in context.inhibited:
                     still_inhibited.append(row)
-                    continue
-                found.append(row)
-                self._achieve(row)
+                elif self._is_due(row):  # an alternative to it may have been taken meanwhile
+                    found.append(row)
+                    self._achieve(row)
         self.links.due = still_inhibited
         return tuple(found)
+
+    def _is_due(self, row: int) -> bool:
+        """Whether a component that has not been achieved is to be, if nothing inhibits it."""
+        context, node = self.context, self.program.nodes[row]
+        if context.achieved[row] or self.links.unmet[row] or not context.effects[row] or not self.links.in_play[row]:
+            return False
+        return self.scopes.enabled[node.scope] and (node.trigger is None or row in context.called)
 
     def _achieve(self, row: int) -> None:
         """Sets the latch, and what follows from it: links, levels, the completion of the network."""
