@@ -32,11 +32,12 @@ def find_world(name: str) -> "World":
 
 def absent_colors(network: "Network", world: "World", skills: "Mapping[str, Skill]") -> list[str]:
     """The colors that a task asks for and that nothing in a room has: the robot would search for them in vain."""
+    from understudy.network import Component  # noqa: PLC0415 - help must come at once
+
     present = {target.color.value for target in world.targets} | {box.color.value for box in world.boxes}
     asked: list[str] = []
     for part in network.by_path.values():
-        skill = skills.get(getattr(part, "behavior", ""))
-        if skill is not None:
-            named = [one.name for one in skill.abstract.parameters if one.kind == "color"]
-            asked += [str(part.parameters[name]) for name in named if name in part.parameters]  # type: ignore[union-attr]
+        if isinstance(part, Component) and part.behavior in skills:
+            named = [one.name for one in skills[part.behavior].abstract.parameters if one.kind == "color"]
+            asked += [str(part.parameters[name]) for name in named if name in part.parameters]
     return [color for color in dict.fromkeys(asked) if color not in present]

@@ -1,8 +1,7 @@
 """From observations to percepts: camera and laser merged, with working memory (§3.5.3.2, A.3)."""
 
 import math
-from dataclasses import dataclass, replace
-from functools import lru_cache
+from dataclasses import dataclass
 from typing import Literal
 
 import cv2
@@ -18,7 +17,8 @@ from understudy.perception.gripper import GripperSense
 from understudy.perception.landmarks import LandmarkMemory
 from understudy.perception.lifted import put_elsewhere
 from understudy.perception.memory import Memory, MemorySettings, Track
-from understudy.perception.percepts import Attention, Percepts, Thing
+from understudy.perception.obstacles import Obstacles
+from understudy.perception.percepts import Attention, Percepts
 from understudy.perception.projection import Projection
 from understudy.robot import TEACHER_COLOR, Observation, RobotSpec, Scan
 
@@ -61,10 +61,6 @@ _UNSURE = 0.2
 _SLIM = 3
 """Pixels; a narrower blob is too slim for its direction to be trusted."""
 
-_LASER_HALF_FIELD = math.radians(85)
-_NEAR = 1.0
-_RIM = np.array([(math.cos(a), math.sin(a)) for a in np.radians(np.arange(0, 360, 30))])
-
 
 def _across(here: Point) -> list[Point]:
     """A landmark's place, and as far to both sides of it as memory may be wrong."""
@@ -96,13 +92,8 @@ class Perception:
         attention = attention or Attention()
         self.landmarks = LandmarkMemory(attention.colors)
         self.doorways = DoorwayMemory(attention.doorways)
+        self._obstacles = Obstacles(spec)
         self._before: Observation | None = None
-        # Of the sonars: where the laser is blind, a mount's place and direction.
-        self._blind = [
-            (number, mount.x, mount.y, math.cos(mount.heading), math.sin(mount.heading))
-            for number, mount in enumerate(spec.sonar_poses)
-            if abs(mount.heading) > _LASER_HALF_FIELD
-        ]
 
     def update(self, observation: Observation) -> Percepts:
         """The percepts of one observation.
@@ -133,7 +124,7 @@ class Perception:
         ]
         targets = self.targets.things(time_s, pose)
         landmarks = self.landmarks.things(time_s, pose) if self.landmarks.colors else {}
-        obstacles = self._obstacles(observation, targets)
+        obstacles = self._obstacles.points(observation, targets)
         return Percepts(
             time_s=time_s,
             odometry=observation.odometry,
@@ -354,51 +345,3 @@ class Perception:
             return 0.0
         reading = min(reading, scan.range_max)
         return math.hypot(laser_x + reading * math.cos(bearing), reading * math.sin(bearing))
-
-    def _obstacles(self, observation: Observation, targets: list[Thing]) -> NDArray[np.float64]:
-        scan = _filled(observation.scan)
-        directions = _directions(len(scan.ranges), scan.angle_min, scan.angle_increment)
-        met = (scan.ranges < scan.range_max).nonzero()[0]  # inf is not
-        # Column by column: whoever reads the points takes all x, or all y.
-        columns = directions.take(met, axis=1) * scan.ranges.take(met)
-        columns[0] += self.spec.laser.x
-        others = self._beside_and_behind(observation, targets)
-        if others:
-            columns = np.concatenate((columns, *(points.T for points in others)), axis=1)
-        return columns.T
-
-    def _beside_and_behind(self, observation: Observation, targets: list[Thing]) -> list[NDArray[np.float64]]:
-        """Where the laser is blind, the sonars' echoes and the remembered targets stand in for it."""
-        found = [
-            np.array([(thing.position.x, thing.position.y)]) + thing.radius * _RIM
-            for thing in targets
-            if not thing.sensed and thing.distance_m < _NEAR
-        ]
-        # The laser sees the front better; a sonar's far echo may come from anywhere in its cone.
-        distances = observation.sonar.tolist()
-        echoes = [
-            (x + distances[number] * cos, y + distances[number] * sin)
-            for number, x, y, cos, sin in self._blind
-            if number < len(distances) and distances[number] < _NEAR
-        ]
-        return [*found, np.array(echoes)] if echoes else found
-
-
-def _filled(scan: Scan) -> Scan:
-    """The sweep with every unusable ray taking the nearer of its usable neighbours: a gap is not free space."""
-    if not scan.unusable:
-        return scan
-    bad = np.isnan(scan.ranges)
-    usable = np.flatnonzero(~bad)
-    place = np.searchsorted(usable, np.flatnonzero(bad))
-    before, after = usable[np.maximum(place - 1, 0)], usable[np.minimum(place, len(usable) - 1)]
-    ranges = scan.ranges.copy()
-    ranges[bad] = np.minimum(scan.ranges[before], scan.ranges[after])
-    return replace(scan, ranges=ranges)
-
-
-@lru_cache(maxsize=8)
-def _directions(rays: int, angle_min: float, angle_increment: float) -> NDArray[np.float64]:
-    """Unit vectors of a sweep's rays, shape ``(2, rays)``."""
-    angles = angle_min + angle_increment * np.arange(rays)
-    return np.stack((np.cos(angles), np.sin(angles)))
