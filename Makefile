@@ -20,9 +20,9 @@ check: .venv/dev.stamp
 bench: .venv/dev.stamp
 	$(BIN)/python -m benchmarks
 
-# Long: the experiments of §4.5.4.1, §4.5.4.3, §3.5.3 and §3.5.2, five runs each in every room or condition.
-trials: .venv/run.stamp
-	$(BIN)/python -m understudy.experiments
+# Long: the dissertation's experiments, with few trials in each row; `understudy experiment` makes as many as you like.
+trials: .venv/dev.stamp
+	$(BIN)/understudy experiment visit_targets transport hierarchical generalization planned delivery --trials 5
 
 clean:
 	rm -rf .venv build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis

@@ -177,6 +177,7 @@ _USES = {
     "task": "use it with `understudy run` or `understudy show`",
     "intervals": "use it with `understudy learn`",
     "context": "use it with `understudy run --resume`",
+    "experiment": "use it with `understudy experiment`",
 }
 
 

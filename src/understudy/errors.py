@@ -3,10 +3,11 @@
 The tree::
 
     UnderstudyError
-    ├── DocumentError        a document (world, task, intervals, context) is malformed
+    ├── DocumentError        a document (world, task, intervals, context, experiment) is malformed
     │   ├── WorldError
     │   ├── NetworkError
-    │   └── ContextError     a saved run cannot be gone on with
+    │   ├── ContextError     a saved run cannot be gone on with
+    │   └── ExperimentError
     ├── SkillError           an unknown skill, or a parameter that a skill does not take
     ├── RobotError           the robot's readings cannot be used, or it stopped answering
     ├── RecordingError       a recording cannot be read or written
@@ -14,6 +15,7 @@ The tree::
     ├── LearningError        a demonstration holds nothing that can be learned, or that goes with the task
     ├── PlanningError        a goal cannot be read, or means nothing to the skills
     │   └── NoPlanError      no plan reaches it
+    ├── CampaignError        the trials of an experiment cannot be made, kept or gone on with
     └── MissingExtraError    an optional package is not installed
 
 A message says what was given, what would have been valid, and how to mend it, in one or two lines.
@@ -21,8 +23,10 @@ The command line prints it without a traceback and exits with 2.
 """
 
 __all__ = [
+    "CampaignError",
     "ContextError",
     "DocumentError",
+    "ExperimentError",
     "LanguageError",
     "LearningError",
     "MissingExtraError",
@@ -70,6 +74,10 @@ class ContextError(DocumentError):
     """A saved run is malformed, or belongs to another task."""
 
 
+class ExperimentError(DocumentError):
+    """An experiment document is malformed, or names what is not there."""
+
+
 class SkillError(UnderstudyError):
     """An unknown skill, or parameter values that the skill does not take."""
 
@@ -106,6 +114,10 @@ class NoPlanError(PlanningError):
         self.goal = goal
         self.missing = missing
         super().__init__("\n  ".join((f"there is no plan for {goal}:", *missing)))
+
+
+class CampaignError(UnderstudyError):
+    """The trials of an experiment cannot be made, kept or gone on with."""
 
 
 class MissingExtraError(UnderstudyError):

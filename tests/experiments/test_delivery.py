@@ -8,8 +8,7 @@ import yaml
 
 from understudy.behaviors import installed_skills
 from understudy.execution import compile_network
-from understudy.experiments import CONDITIONS, Condition, DeliveryTrial, delivery, delivery_trial, disturbed
-from understudy.experiments.__main__ import main
+from understudy.experiments import CONDITIONS, TABLES, Condition, Trial, Unit, conduct, find_experiment
 from understudy.experiments.delivery_rooms import draw_room
 from understudy.geometry import Point
 from understudy.learning import observe
@@ -19,7 +18,7 @@ from understudy.robot import PIONEER, Color, Command, Cue
 from understudy.sessions import perform
 from understudy.sim import Simulation, World, load_world, world_path
 
-OTHER_OTHER = Condition(robot="other", box="other")
+EXPERIMENT = find_experiment("delivery")
 
 
 def test_the_bundled_task_watches_the_bundled_rooms_landmarks() -> None:
@@ -32,7 +31,8 @@ def test_the_bundled_task_watches_the_bundled_rooms_landmarks() -> None:
 
 @pytest.mark.parametrize("condition", CONDITIONS, ids=str)
 def test_rooms_are_drawn_as_the_condition_says(condition: Condition) -> None:
-    drawn = [draw_room(condition, np.random.default_rng(seed), door_open=seed == 0) for seed in range(5)]
+    world = EXPERIMENT.worlds["delivery"]
+    drawn = [draw_room(world, condition, np.random.default_rng(seed), door_open=seed == 0) for seed in range(5)]
     for world in drawn:
         robot, box = world.robots[0], world.boxes[0]
         assert (robot.at[1] < 3.5) is (condition.robot == "home")
@@ -43,18 +43,21 @@ def test_rooms_are_drawn_as_the_condition_says(condition: Condition) -> None:
     assert len({world.robots[0].at for world in drawn}) == 5
 
 
+def delivered(row: str, seed: int) -> Trial:
+    return conduct(Unit(experiment=EXPERIMENT, row=EXPERIMENT.row(row), seed=seed))
+
+
 def test_from_the_other_room_through_a_closed_door_with_the_box() -> None:
-    trial = delivery_trial(OTHER_OTHER, 1)
+    trial = delivered("undisturbed", 7)
     assert trial.problems == ()
-    assert (trial.door_open, trial.switches) == (False, 0)
+    assert (trial.details["at first"], trial.details["door"]) == ("robot other, box other", "closed")
 
 
 def test_a_robot_that_is_carried_away_in_mid_run_recovers() -> None:
-    quiet = delivery_trial(Condition(robot="home", box="home"), 2)
-    assert quiet.problems == ()
-    trial = disturbed(quiet, "robot")
-    assert trial.moved.startswith("the robot to (")
+    trial = delivered("robot moved", 4)
     assert trial.problems == ()
+    assert trial.details["at first"] == "robot home, box home"
+    assert trial.details["moved"].startswith("the robot to (")
 
 
 def test_nothing_rests_on_the_bundled_rooms() -> None:
@@ -98,34 +101,17 @@ def painted(part: Any) -> Any:
     return inside
 
 
-def test_failures_and_conditions_are_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    def made(condition: Condition, seed: int, *, move: str | None = None, before_s: float = 0.0) -> DeliveryTrial:
-        fails = move == "box" and seed == 7 and condition == OTHER_OTHER
-        return DeliveryTrial(
-            experiment="delivery",
-            room=f"{move} moved" if move else "undisturbed",
-            seed=seed,
-            time_s=10.0 + seed,
-            problems=("the box lies 3.00 m from the beacon",) if fails else (),
-            collisions=0,
-            grazes=0,
-            condition=condition,
-            door_open=seed % 4 == 0,
-            switches=1,
-            moved="the box to (1.0, 2.0) at 7 s" if move == "box" else "",
+def test_the_conditions_are_told() -> None:
+    def made(row: str, seed: int, *problems: str) -> Trial:
+        details = {"at first": str(CONDITIONS[seed % 4]), "switches": 1}
+        return Trial(
+            experiment="delivery", row=row, seed=seed, ending="", time_s=10.0 + seed, problems=problems, details=details
         )
 
-    monkeypatch.setattr(delivery, "delivery_trial", made)
-    monkeypatch.setattr("sys.argv", ["experiments", "delivery", "--trials", "4", "--seed", "5"])
-    main()
-    told = capsys.readouterr().out.splitlines()
-    assert "| delivery | undisturbed | 16 of 16 | 79% to 100% | 16 s | 18 s | 0 | 0 |" in told
-    assert "| delivery | box moved | 15 of 16 | 70% to 100% | 16 s | 18 s | 0 | 0 |" in told
-    assert "| nothing | robot home, box other | 4 of 4 | 16 s | 18 s | 4 |" in told
-    assert "| box | robot other, box other | 3 of 4 | 16 s | 18 s | 4 |" in told
-    assert told[-1] == (
-        "- delivery, box moved, seed 7, robot other, box other, door closed, the box to (1.0, 2.0) at 7 s: "
-        "the box lies 3.00 m from the beacon"
+    trials = [made("undisturbed", 2), made("undisturbed", 6, "x"), made("box moved", 3)]
+    assert TABLES["conditions"](EXPERIMENT, trials).rows == (
+        ("undisturbed", "robot other, box home", "1 of 2", "14 s", "16 s", "2"),
+        ("box moved", "robot other, box other", "1 of 1", "13 s", "13 s", "1"),
     )
 
 

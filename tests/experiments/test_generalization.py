@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from understudy.behaviors import installed_skills
-from understudy.experiments import Course, Trial, generalization_tables, problems_of, worked_course
+from understudy.experiments import TABLES, Course, Trial, course, find_experiment, generalization, problems_of
 from understudy.network import END, START, Component, Edge, Network
 from understudy.sessions import perform
 from understudy.sim import load_world, rearranged, world_path
@@ -18,9 +18,13 @@ TEXT = [
 """What the text says that was learned; before it the robot's empty gripper, as in §4.5.4.3 and §6.3.3."""
 
 
+EXPERIMENT = find_experiment("generalization")
+
+
 @pytest.fixture(scope="module")
-def course() -> Course:
-    return worked_course()
+def shown() -> Course:
+    worlds = [EXPERIMENT.worlds[f"generalize_{number}"] for number in (1, 2, 3)]
+    return course(worlds, EXPERIMENT.document.learning)
 
 
 def named(network: Network, id_: str) -> str:
@@ -40,9 +44,9 @@ def executed(network: Network) -> list[str]:
     return steps
 
 
-def test_the_task_after_each_demonstration(course: Course) -> None:
-    assert not course.problems
-    first, second, third = course.tasks
+def test_the_task_after_each_demonstration(shown: Course) -> None:
+    assert not shown.problems
+    first, second, third = shown.tasks
     assert executed(first) == [
         "Drop", "Green", "PickUp orange", "Yellow", "Red", "Light Orange", "Pink", "Drop", "Light Green", "Green",
     ]  # fmt: skip
@@ -53,23 +57,24 @@ def test_the_task_after_each_demonstration(course: Course) -> None:
     assert sorted(shown.values()) == [("generalize 1",)] * 2 + [("generalize 2",), ("generalize 3",)]
 
 
-def test_the_generalised_task_is_done_in_a_new_room(course: Course) -> None:
-    task = course.tasks[-1]
+def test_the_generalised_task_is_done_in_a_new_room(shown: Course) -> None:
+    task = shown.tasks[-1]
     run = perform("t", task, rearranged(load_world(world_path("generalize_1")), 5), installed_skills(), seed=5)
     assert problems_of(run, task) == []
     assert [named(task, id_) for id_, _ in run.report.achieved][2:] == TEXT[2:]
 
 
-def test_the_ways_after_each_demonstration_are_told(course: Course, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("understudy.experiments.generalization.worked_course", lambda: course)
+def test_the_ways_after_each_demonstration_are_told(shown: Course, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(generalization, "_reference", lambda worlds, learning: shown.tasks)
     trial = Trial(
-        experiment="generalization", room="changed", seed=1, time_s=9.0, problems=(), collisions=0, grazes=0,
-        achieved=("drop-1", "track-green-1"),
+        experiment="generalization", row="changed", seed=1, ending="complete",
+        achieved=(("drop-1", 1.0), ("track-green-1", 2.0)),
     )  # fmt: skip
-    lines = list(generalization_tables([trial, replace(trial, room="taught")]))
-    assert "| 2 | track-red-1 | track-pink-1 | 2 |" in lines
-    assert "| 3 | track-red-1 | track-pink-1 | 2, 3 |" in lines
-    assert lines[-1] == "| changed | drop-1, track-green-1 | 1 |"
+    trials = [trial, replace(trial, row="taught", achieved=())]
+    told = {name: TABLES[name](EXPERIMENT, trials).rows for name in EXPERIMENT.document.tables}
+    assert ("2", "track-red-1", "track-pink-1", "generalize 2") in told["ways"]
+    assert ("3", "track-red-1", "track-pink-1", "generalize 2, generalize 3") in told["ways"]
+    assert told["orders"] == (("changed", "drop-1, track-green-1", "1"),)
 
 
 def test_a_run_that_strays_from_the_ways_is_found() -> None:

@@ -1,20 +1,8 @@
-"""The task of §3.5.3 from end to end; how nested steps are judged; the experiments as they are called."""
-
-from dataclasses import replace
-
-import pytest
+"""The task of §3.5.3 from end to end; how nested steps are judged; what is told of its trials."""
 
 from understudy.behaviors import installed_skills
 from understudy.execution import RunReport
-from understudy.experiments import (
-    EXPERIMENTS,
-    Trial,
-    hierarchical_tables,
-    links_with_init,
-    problems_of,
-    visits,
-)
-from understudy.experiments.__main__ import main
+from understudy.experiments import TABLES, Trial, find_experiment, links_with_init, problems_of, visits
 from understudy.network import Component, Link, LinkType, Nab, Network, flattened, load_task, task_path
 from understudy.sessions import Performed, Stage, Verdict, perform
 from understudy.sim import World, load_world, rearranged, world_path
@@ -48,26 +36,23 @@ def test_the_links_that_the_text_counts() -> None:
     assert (links_with_init(network), links_with_init(flattened(network))) == (31, 60)
 
 
-def trial(*achieved: str, room: str = "same", seed: int = 1) -> Trial:
-    return Trial(
-        experiment="hierarchical",
-        room=room,
-        seed=seed,
-        time_s=9.0,
-        problems=(),
-        collisions=0,
-        grazes=0,
-        achieved=achieved,
-    )
+def trial(*order: str, row: str = "same", seed: int = 1) -> Trial:
+    achieved = tuple((path, 1.0) for path in order)
+    return Trial(experiment="hierarchical", row=row, seed=seed, ending="complete", time_s=9.0, achieved=achieved)
 
 
 def test_the_order_of_the_visits_is_told_as_in_table_3_1() -> None:
     tried = trial("object-transport", "visit-targets/visit-light-green", "visit-targets/visit-pink", "visit-targets")
     assert visits(tried) == "Light-Green Pink"
-    lines = list(hierarchical_tables([tried, trial("visit-targets/visit-pink", room="changed", seed=2)]))
-    assert "| 1 | 1 | Light-Green Pink |" in lines
-    assert "| changed | Pink | 1 |" in lines
-    assert "| with those to Init, too | 31 | 60 |" in lines
+    trials = [tried, trial("visit-targets/visit-pink", row="changed", seed=2)]
+    experiment = find_experiment("hierarchical")
+    told = {name: TABLES[name](experiment, trials).rows for name in experiment.document.tables}
+    assert told["visits"] == (("1", "1", "Light-Green Pink"),)
+    assert ("changed", "visit-targets/visit-pink", "1") in told["orders"]
+    assert ("same", "object-transport, visit-targets/visit-light-green, visit-targets/visit-pink", "1") in told[
+        "orders"
+    ]
+    assert ("with those to Init, too", "31", "60") in told["links"]
 
 
 WORLD = World.from_data(
@@ -105,28 +90,3 @@ def test_steps_inside_of_networks_are_judged_by_their_paths() -> None:
         "visits/far: 0.90 m from where it should have been",
     ]
     assert judged(("visits/near", 0.0), done=False) == ["time limit; missing visits/far, drop"]
-
-
-def test_the_experiments_are_called_by_name(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    asked: list[list[int]] = []
-    failed = replace(trial("visit-targets/visit-pink", seed=7), problems=("x",))
-
-    def trials(seeds: object) -> object:
-        asked.append(list(seeds))  # type: ignore[call-overload]
-        return iter([failed])
-
-    experiment = replace(EXPERIMENTS["hierarchical"], trials=trials)  # type: ignore[arg-type]
-    monkeypatch.setattr("understudy.experiments.__main__.EXPERIMENTS", {"hierarchical": experiment})
-    monkeypatch.setattr("sys.argv", ["experiments", "--trials", "2", "--seed", "7"])
-    main()
-    told = capsys.readouterr().out
-    assert asked == [[7, 8]]
-    assert "| hierarchical | same | 0 of 1 |" in told
-    assert "- hierarchical, same room, seed 7: x" in told
-    monkeypatch.setattr("sys.argv", ["experiments", "tea"])
-    with pytest.raises(SystemExit) as caught:
-        main()
-    assert caught.value.code == 2
-    assert "there is no experiment 'tea'; there are: hierarchical" in capsys.readouterr().err

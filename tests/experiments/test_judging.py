@@ -90,7 +90,7 @@ def test_steps_that_are_missing_and_collisions_are_named() -> None:
 
 def trial(success: bool) -> Trial:
     problems = () if success else ("x",)
-    return Trial(experiment="e", room="same", seed=0, time_s=10.0, problems=problems, collisions=0, grazes=0)
+    return Trial(experiment="e", row="same", seed=0, ending="complete", time_s=10.0, problems=problems)
 
 
 def test_the_interval_is_exact() -> None:

@@ -1,43 +1,28 @@
-"""The experiment with planned tasks: what is run, what is told, and that it is left out where there is no planner."""
+"""Planned tasks: a row of them is planned and executed; without a planner it is said what is missing."""
 
 import sys
 
 import pytest
 
-from understudy.experiments import Trial, planned_tables, planned_trials
-from understudy.experiments.__main__ import main
+from understudy.errors import MissingExtraError
+from understudy.experiments import Unit, conduct, find_experiment, planned
 
 
-def test_each_goal_is_run_in_both_rooms(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[tuple[str, str, str]] = []
-    monkeypatch.setattr(
-        "understudy.experiments.planned.run_trials",
-        lambda goal, world, network, room, seeds: asked.append((goal, world.name, room)) or iter(()),
-    )
-    assert list(planned_trials([1])) == []
-    assert ("carried(orange, green) and visited(pink)", "hierarchical", "changed") in asked
-    assert [room for _, _, room in asked] == ["same"] * 3 + ["changed"] * 3
+def test_the_goal_of_the_row_is_planned_and_executed_in_the_row_s_room(monkeypatch: pytest.MonkeyPatch) -> None:
+    experiment = find_experiment("planned")
+    row = experiment.document.rows[-1]
+    unit = Unit(experiment=experiment, row=row, seed=1)
+    made = []
+    monkeypatch.setattr(planned, "executed", lambda unit, network: made.append((unit.room.name, network)))
+    planned.planned_trial(unit)
+    [(room, network)] = made
+    assert room == "hierarchical"
+    assert sorted(part.behavior for part in network.components) == ["Drop", "Drop", "PickUp", "Track", "Track"]
 
 
-def test_each_goal_is_told_for_itself() -> None:
-    def trial(goal: str, seed: int, *problems: str) -> Trial:
-        return Trial(
-            experiment=goal, room="same", seed=seed, time_s=10.0 * seed, problems=problems, collisions=0, grazes=0
-        )
-
-    lines = list(planned_tables([trial("near(red)", 1), trial("near(red)", 3, "late"), trial("near(pink)", 2)]))
-    assert lines[2:] == [
-        "| `near(red)` | same | 1 of 2 | 20 s | 30 s |",
-        "| `near(pink)` | same | 1 of 1 | 20 s | 20 s |",
-    ]
-
-
-def test_without_a_planner_the_other_experiments_are_told(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_without_a_planner_nothing_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    experiment = find_experiment("planned")
     monkeypatch.setitem(sys.modules, "up_pyperplan", None)
-    monkeypatch.setattr("sys.argv", ["experiments", "planned", "--trials", "1"])
-    main()
-    told = capsys.readouterr().out
-    assert "planned was left out: planning needs up_pyperplan, which is not installed; pip install" in told
-    assert "Failures: none" in told
+    planned._planned.cache_clear()
+    with pytest.raises(MissingExtraError, match="planning needs up_pyperplan, which is not installed; pip install"):
+        conduct(Unit(experiment=experiment, row=experiment.document.rows[0], seed=1))

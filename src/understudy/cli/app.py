@@ -10,7 +10,21 @@ from typing import Annotated
 import typer
 
 from understudy import __version__
-from understudy.cli import demo, doctor, explain, generalize, language, learn, plan, practice, run, schema, show, teach
+from understudy.cli import (
+    demo,
+    doctor,
+    experiment,
+    explain,
+    generalize,
+    language,
+    learn,
+    plan,
+    practice,
+    run,
+    schema,
+    show,
+    teach,
+)
 from understudy.errors import UnderstudyError
 
 __all__ = ["app", "main"]
@@ -60,6 +74,9 @@ app.command("explain", help="Why a step of a recorded run was active or not, and
     explain.command
 )
 app.command("language", help="In which orders a task can be done; counted, compared, checked.")(language.command)
+app.command("experiment", help="Make the trials of an experiment, and tell how often the robot succeeds.")(
+    experiment.command
+)
 app.command("schema", help="Print the JSON Schema of a document.")(schema.command)
 app.command("doctor", help="What is installed, what is missing, and how to mend it.")(doctor.command)
 

@@ -15,6 +15,7 @@ class Document(StrEnum):
     WORLD = "world"
     TASK = "task"
     INTERVALS = "intervals"
+    EXPERIMENT = "experiment"
 
 
 def command(document: Annotated[Document, typer.Argument(help="Which document.")]) -> None:
@@ -32,4 +33,8 @@ def command(document: Annotated[Document, typer.Argument(help="Which document.")
             from understudy.learning import intervals_schema  # noqa: PLC0415
 
             schema = intervals_schema()
+        case Document.EXPERIMENT:
+            from understudy.experiments import experiment_schema  # noqa: PLC0415
+
+            schema = experiment_schema()
     typer.echo(json.dumps(schema, indent=2))

@@ -1,57 +1,52 @@
-"""The dissertation's experiments as repeated trials, with every seed and failure counted."""
+"""Experiments as documents, the dissertation's among them; their trials, with every seed and failure counted."""
 
-from understudy.experiments.delivery import DeliveryTrial, delivery_tables, delivery_trial, delivery_trials, disturbed
+from understudy.experiments.conducting import conduct
 from understudy.experiments.delivery_rooms import CONDITIONS, Condition
-from understudy.experiments.generalization import (
-    Course,
-    generalization_tables,
-    generalization_trials,
-    ways,
-    worked_course,
-)
-from understudy.experiments.hierarchical import hierarchical_tables, hierarchical_trials, links_with_init, visits
-from understudy.experiments.judging import problems_of
-from understudy.experiments.planned import planned_tables, planned_trials
-from understudy.experiments.registry import EXPERIMENTS, Experiment
-from understudy.experiments.trials import (
-    Summary,
-    Trial,
-    run_trials,
-    structure,
-    summarise,
-    taught_network,
-    taught_trials,
-    teaching_trials,
-)
+from understudy.experiments.document import ExperimentDocument, Learning, Limits, Options, Row, experiment_schema
+from understudy.experiments.experiment import Experiment
+from understudy.experiments.generalization import Course, course, ways
+from understudy.experiments.hierarchical import links_with_init, visits
+from understudy.experiments.judging import collisions_of, problems_of
+from understudy.experiments.kinds import KINDS, Kind
+from understudy.experiments.loading import experiment_names, find_experiment, load_experiment
+from understudy.experiments.summary import Measured, Summary, Table, success_rate, summarise
+from understudy.experiments.tables import TABLES
+from understudy.experiments.teaching import executed, reference, structure
+from understudy.experiments.trial import Trial
+from understudy.experiments.unit import Unit
 
 __all__ = [
     "CONDITIONS",
-    "EXPERIMENTS",
+    "KINDS",
+    "TABLES",
     "Condition",
     "Course",
-    "DeliveryTrial",
     "Experiment",
+    "ExperimentDocument",
+    "Kind",
+    "Learning",
+    "Limits",
+    "Measured",
+    "Options",
+    "Row",
     "Summary",
+    "Table",
     "Trial",
-    "delivery_tables",
-    "delivery_trial",
-    "delivery_trials",
-    "disturbed",
-    "generalization_tables",
-    "generalization_trials",
-    "hierarchical_tables",
-    "hierarchical_trials",
+    "Unit",
+    "collisions_of",
+    "conduct",
+    "course",
+    "executed",
+    "experiment_names",
+    "experiment_schema",
+    "find_experiment",
     "links_with_init",
-    "planned_tables",
-    "planned_trials",
+    "load_experiment",
     "problems_of",
-    "run_trials",
+    "reference",
     "structure",
+    "success_rate",
     "summarise",
-    "taught_network",
-    "taught_trials",
-    "teaching_trials",
     "visits",
     "ways",
-    "worked_course",
 ]

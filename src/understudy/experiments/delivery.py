@@ -1,25 +1,25 @@
 """The delivery task from all four initial conditions, and with things moved in mid-run (§3.5.2.5).
 
-The dissertation ran each condition four times, once with the door open: so do four seeds that follow each other.
+The dissertation ran each condition four times, once with the door open: so do sixteen seeds that follow each other.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from understudy.behaviors import installed_skills
-from understudy.experiments.delivery_rooms import CONDITIONS, Condition, Hand, Movable, beacon_of, draw_room
-from understudy.experiments.trials import Trial
-from understudy.network import load_task, task_path
+from understudy.experiments.delivery_rooms import CONDITIONS, Hand, Movable, beacon_of, draw_room
+from understudy.experiments.document import Options
+from understudy.experiments.experiment import Experiment
+from understudy.experiments.judging import collisions_of
+from understudy.experiments.summary import Table, summarise
+from understudy.experiments.teaching import reference
+from understudy.experiments.trial import Trial
+from understudy.experiments.unit import Unit
 from understudy.sessions import Performed, perform
 
-__all__ = ["DeliveryTrial", "delivery_tables", "delivery_trial", "delivery_trials", "disturbed"]
-
-_NAME = "delivery"
-
-_LIMIT_S = 600.0
-"""Simulated time allowed: to search both rooms and to open the door takes two minutes, with luck."""
+__all__ = ["DeliveryOptions", "delivery_table", "delivery_trial"]
 
 _DELIVERED_M = 0.9
 """The box lies at home if its middle is at most so far from the beacon's, and the robot if it is half a metre more."""
@@ -28,86 +28,50 @@ _FIRST_S, _LAST_S = 5.0, 2.0
 """Nothing is moved earlier than this, nor so shortly before the end that the robot could not notice."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DeliveryTrial(Trial):
-    """One run; its room is ``undisturbed``, ``box moved`` or ``robot moved``.
+class DeliveryOptions(Options):
+    """What a row of deliveries takes.
 
     Attributes:
-        condition: where robot and box were at first.
-        door_open: at first.
-        switches: how often the robot switched between its networks, or began one anew.
-        moved: what was moved, whereto and when.
+        moved: what is moved in mid-run.
     """
 
-    condition: Condition
-    door_open: bool
-    switches: int
-    moved: str
-
-    @property
-    def named(self) -> str:
-        door = "door open" if self.door_open else "door closed"
-        told = [self.experiment, self.room, f"seed {self.seed}", str(self.condition), door, self.moved]
-        return ", ".join(filter(None, told))
+    moved: Movable | None = None
 
 
-def delivery_trials(seeds: Sequence[int]) -> Iterator[DeliveryTrial]:
-    """One run of each condition a seed; then all of them again with the box moved in mid-run, and with the robot."""
-    quiet = []
-    for seed in seeds:
-        for condition in CONDITIONS:
-            quiet.append(delivery_trial(condition, seed))
-            yield quiet[-1]
-    for move in ("box", "robot"):
-        yield from (disturbed(trial, move) for trial in quiet)
+def delivery_trial(unit: Unit) -> Trial:
+    """One run; the seed decides on the condition, on the door and on all chance.
 
-
-def disturbed(trial: DeliveryTrial, move: Movable) -> DeliveryTrial:
-    """The same run again, in which something is moved before the moment at which it was done."""
-    return delivery_trial(trial.condition, trial.seed, move=move, before_s=max(_FIRST_S, trial.time_s - _LAST_S))
-
-
-def delivery_trial(
-    condition: Condition, seed: int, *, move: Movable | None = None, before_s: float = 60.0
-) -> DeliveryTrial:
-    """One run.
-
-    Args:
-        condition: where robot and box are at first.
-        seed: of their places, and of all chance; with every fourth the door is open at first.
-        move: what is moved in mid-run.
-        before_s: when it is moved at the latest.
+    What is moved is moved before the moment at which the same run is done if nothing is.
     """
-    rng = np.random.default_rng([seed, CONDITIONS.index(condition)])
-    door_open = seed % 4 == 0
-    world = draw_room(condition, rng, door_open=door_open)
-    _, network = load_task(task_path(_NAME))
-    hand = Hand(move, float(rng.uniform(_FIRST_S, before_s)), rng)
+    moved = DeliveryOptions.model_validate(unit.options).moved
+    if moved is None:
+        return _run(unit, None, 0.0)
+    quiet = _run(replace(unit, folder=None), None, 0.0)
+    return _run(unit, moved, max(_FIRST_S, quiet.time_s - _LAST_S))
+
+
+def _run(unit: Unit, moved: Movable | None, before_s: float) -> Trial:
+    condition = CONDITIONS[unit.seed % len(CONDITIONS)]
+    door_open = unit.seed // len(CONDITIONS) % 4 == 0
+    rng = np.random.default_rng(unit.seed)
+    world = draw_room(unit.place, condition, rng, door_open=door_open)
+    network = unit.experiment.task(unit.row) or reference(unit)
+    hand = Hand(moved, float(rng.uniform(_FIRST_S, before_s)) if moved is not None else 0.0, rng)
     performed = perform(
-        _NAME,
+        unit.experiment.name,
         network,
         world,
         installed_skills(),
-        seed=seed,
-        limit_s=_LIMIT_S,
+        seed=unit.seed,
+        limit_s=unit.limit_s,
+        recording=unit.recording("run"),
         watch=hand.watch,
         prepare=hand.prepare,
     )
-    report = performed.report
-    return DeliveryTrial(
-        experiment=_NAME,
-        room=f"{move} moved" if move else "undisturbed",
-        seed=seed,
-        time_s=report.duration_s,
-        problems=tuple(_problems(performed)),
-        collisions=sum(performed.verdict.collisions.values()),
-        grazes=sum(performed.verdict.grazes.values()),
-        achieved=tuple(path for path, _ in report.achieved),
-        condition=condition,
-        door_open=door_open,
-        switches=sum(event.kind == "switch" for event in report.events),
-        moved=hand.did,
-    )
+    switches = sum(event.kind == "switch" for event in performed.report.events)
+    door = "open" if door_open else "closed"
+    details = {"at first": str(condition), "door": door, "moved": hand.did, "switches": switches}
+    return unit.trial_of(performed.report, _problems(performed), performed.stage, details=details)
 
 
 def _problems(performed: Performed) -> list[str]:
@@ -123,20 +87,20 @@ def _problems(performed: Performed) -> list[str]:
         problems.append(f"the box lies {box.distance_to(home):.2f} m from the beacon")
     if report.done and robot.distance_to(home) > _DELIVERED_M + 0.5:
         problems.append(f"the robot is {robot.distance_to(home):.2f} m from the beacon")
-    return problems + [f"ran into a {what} ({count} ×)" for what, count in performed.verdict.collisions.items()]
+    return problems + collisions_of(performed.verdict)
 
 
-def delivery_tables(trials: Sequence[Trial]) -> Iterator[str]:
-    """The trials by initial condition, as lines of Markdown."""
-    yield "| moved in mid-run | at first | successes | mean time | slowest | switches |"
-    yield "| --- | --- | --- | --- | --- | --- |"
-    runs = [trial for trial in trials if isinstance(trial, DeliveryTrial)]
-    for room in dict.fromkeys(run.room for run in runs):
-        for condition in CONDITIONS:
-            mine = [run for run in runs if run.room == room and run.condition == condition]
-            times = [run.time_s for run in mine]
-            yield (
-                f"| {'nothing' if room == 'undisturbed' else room.removesuffix(' moved')} | {condition} "
-                f"| {sum(run.success for run in mine)} of {len(mine)} | {sum(times) / len(times):.0f} s "
-                f"| {max(times):.0f} s | {sum(run.switches for run in mine)} |"
-            )
+def delivery_table(experiment: Experiment, trials: Sequence[Trial]) -> Table:
+    """The trials by what is where at first, and how often the robot switched between its networks."""
+    rows = []
+    for row in dict.fromkeys(trial.row for trial in trials):
+        for condition in map(str, CONDITIONS):
+            mine = [trial for trial in trials if (trial.row, trial.details.get("at first")) == (row, condition)]
+            if mine:
+                found, switches = summarise(mine), sum(trial.details["switches"] for trial in mine)
+                rows.append((row, condition, found.rate, found.mean_time, found.slowest, str(switches)))
+    return Table(
+        title="By what is where at first",
+        head=("row", "at first", "successes", "mean time", "slowest", "switches"),
+        rows=tuple(rows),
+    )

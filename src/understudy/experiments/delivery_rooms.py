@@ -11,7 +11,7 @@ from understudy.execution import Decision
 from understudy.geometry import Point
 from understudy.perception import Percepts
 from understudy.sessions import Stage
-from understudy.sim import World, load_world, world_path
+from understudy.sim import World
 
 __all__ = ["CONDITIONS", "Condition", "Hand", "Movable", "beacon_of", "draw_room"]
 
@@ -38,9 +38,8 @@ class Condition:
 CONDITIONS = tuple(Condition(robot=robot, box=box) for robot in ("home", "other") for box in ("home", "other"))
 
 
-def draw_room(condition: Condition, rng: np.random.Generator, *, door_open: bool) -> World:
-    """The bundled world with robot and box somewhere in the rooms of the condition, and the door open or closed."""
-    world = load_world(world_path("delivery"))
+def draw_room(world: World, condition: Condition, rng: np.random.Generator, *, door_open: bool) -> World:
+    """The world with robot and box somewhere in the rooms of the condition, and the door open or closed."""
     box = _place(world, condition.box, rng)
     robot = _place(world, condition.robot, rng, apart_from=[Point(*box)])
     opening = _OPEN_DEG * float(rng.choice((-1.0, 1.0)))

@@ -1,33 +1,24 @@
-"""Two subtasks one after the other (§3.5.3): a box carried through a gate, then four targets in any order.
+"""What there is to tell of two subtasks one after the other (§3.5.3): the orders of the visits, and the links.
 
-The task comes with the program and is not taught. As in Table 3.1 the order of the visits is told, which is the robot's
-own: it takes what it knows of first, and finds the rest.
+The task comes with the program and is not taught. As in Table 3.1 the order of the visits is the robot's own: it takes
+what it knows of first, and finds the rest.
 """
 
-from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
-from understudy.experiments.trials import Trial, run_trials
-from understudy.network import Network, expand_links, flattened, load_task, task_path
-from understudy.sim import load_world, world_path
+from understudy.experiments.experiment import Experiment
+from understudy.experiments.summary import Table
+from understudy.experiments.trial import Trial
+from understudy.network import Network, expand_links, flattened
 
-__all__ = ["hierarchical_tables", "hierarchical_trials", "links_with_init", "visits"]
+__all__ = ["links_table", "links_with_init", "visits", "visits_table"]
 
-_NAME = "hierarchical"
 _VISITS = "visit-targets/visit-"
-
-
-def hierarchical_trials(seeds: Sequence[int]) -> Iterator[Trial]:
-    """The task in its room, and in that room with everything elsewhere; one trial a seed in each."""
-    _, network = load_task(task_path(_NAME))
-    world = load_world(world_path(_NAME))
-    for room in ("same", "changed"):
-        yield from run_trials(_NAME, world, network, room, seeds)
 
 
 def visits(trial: Trial) -> str:
     """The targets of the second subtask in the order in which they were visited, as in Table 3.1."""
-    colors = [path.removeprefix(_VISITS) for path in trial.achieved if path.startswith(_VISITS)]
+    colors = [path.removeprefix(_VISITS) for path in trial.order if path.startswith(_VISITS)]
     return " ".join(color.title() for color in colors)
 
 
@@ -40,25 +31,25 @@ def links_with_init(network: Network) -> int:
     return expand_links(network).link_count + sum(1 for _ in network.walk())
 
 
-def hierarchical_tables(trials: Sequence[Trial]) -> Iterator[str]:
-    """Table 3.1, the orders of all trials, and the links of §3.7, as lines of Markdown."""
-    yield "| trial | seed | order of target visits |"
-    yield "| --- | --- | --- |"
-    for number, trial in enumerate([trial for trial in trials if trial.room == "same"][:5], start=1):
-        yield f"| {number} | {trial.seed} | {visits(trial)} |"
-    yield ""
-    yield "| room | order of target visits | trials |"
-    yield "| --- | --- | --- |"
-    for (room, order), count in Counter((trial.room, visits(trial)) for trial in trials).most_common():
-        yield f"| {room} | {order} | {count} |"
-    _, hierarchy = load_task(task_path(_NAME))
-    yield ""
-    yield "| links | hierarchical | flat |"
-    yield "| --- | --- | --- |"
-    both = hierarchy, flattened(hierarchy)
-    for name, counts in (
+def visits_table(experiment: Experiment, trials: Sequence[Trial]) -> Table:
+    """Table 3.1, of its length: the first five trials of the first row."""
+    first = [trial for trial in trials if trial.row == experiment.document.rows[0].name][:5]
+    return Table(
+        title="Order of target visits (Table 3.1)",
+        head=("trial", "seed", "order of target visits"),
+        rows=tuple((str(number), str(trial.seed), visits(trial)) for number, trial in enumerate(first, start=1)),
+    )
+
+
+def links_table(experiment: Experiment, trials: Sequence[Trial]) -> Table:
+    """How many links the experiment's task has, and its flat equivalent (§3.7)."""
+    task = experiment.task(experiment.document.rows[0])
+    assert task is not None, "the table of links is for an experiment with a task"
+    both = task, flattened(task)
+    counts = (
         ("stored", [network.link_count for network in both]),
         ("with those that a path implies", [expand_links(network).link_count for network in both]),
         ("with those to Init, too", [links_with_init(network) for network in both]),
-    ):
-        yield f"| {name} | {counts[0]} | {counts[1]} |"
+    )
+    rows = tuple((name, *map(str, of_both)) for name, of_both in counts)
+    return Table(title="Links (§3.7)", head=("links", "hierarchical", "flat"), rows=rows)

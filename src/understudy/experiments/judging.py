@@ -9,9 +9,9 @@ from understudy.clock import CONTROL_RATE_HZ
 from understudy.execution import Event, Tally
 from understudy.geometry import Pose, angle_to_bearing, wrap_angle
 from understudy.network import START, Component, Nab, Network
-from understudy.sessions import Performed
+from understudy.sessions import Performed, Verdict
 
-__all__ = ["problems_of"]
+__all__ = ["collisions_of", "problems_of"]
 
 _PLACE_TOLERANCE_M = 0.30
 """The robot's own tolerance of 0.10 m, its odometry's and its eyes' errors, and the step that it takes in a tick."""
@@ -50,7 +50,12 @@ def problems_of(performed: Performed, network: Network) -> list[str]:
             problems += _misplaced(performed, id_, component, time_s)
     if report.done:
         problems += _undelivered(performed, network)
-    return problems + [f"ran into a {what} ({count} ×)" for what, count in performed.verdict.collisions.items()]
+    return problems + collisions_of(performed.verdict)
+
+
+def collisions_of(verdict: Verdict) -> list[str]:
+    """What was run into, in words."""
+    return [f"ran into a {what} ({count} ×)" for what, count in verdict.collisions.items()]
 
 
 def _orders(network: Network, path: str = "") -> Iterator[tuple[str, str]]:

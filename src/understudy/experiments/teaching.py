@@ -1,0 +1,149 @@
+"""Tasks that are shown: once, for all runs of a row, or anew in every trial (§4.5.4)."""
+
+from collections import Counter
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from understudy.behaviors import installed_skills
+from understudy.errors import LearningError
+from understudy.experiments.document import Learning
+from understudy.experiments.judging import collisions_of, problems_of
+from understudy.experiments.trial import Trial
+from understudy.experiments.unit import Unit
+from understudy.learning import Lesson, learn
+from understudy.network import Component, Network, Task, task_text
+from understudy.sessions import Taught, perform, teach
+from understudy.sim import World
+
+__all__ = ["Shown", "executed", "reference", "run_trial", "show", "structure", "teach_and_run_trial", "teach_trial"]
+
+_RIGHT_DEG = 45.0
+
+_REMEMBERED = 32
+"""A process remembers the tasks of so many rows, so that not every run is preceded by the same demonstration."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shown:
+    """A demonstration in a trial, and what was learned from it.
+
+    Attributes:
+        taught: the demonstration.
+        lesson: None if nothing could be learned.
+        problems: what was wrong with it.
+    """
+
+    taught: Taught
+    lesson: Lesson | None
+    problems: tuple[str, ...]
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _reference(world: World, learning: Learning) -> Network:
+    taught = teach(world, installed_skills(), settings=learning.settings)
+    return learn(taught.demonstration, learning.settings).network
+
+
+def reference(unit: Unit) -> Network:
+    """What one demonstration teaches in the row's world as it stands, with the world's own seed.
+
+    The tests compare it with the text (§4.5.4).
+
+    Raises:
+        WorldError: the world has no teacher.
+        LearningError: nothing can be learned.
+    """
+    return _reference(unit.experiment.world(unit.row), unit.experiment.document.learning)
+
+
+def show(unit: Unit) -> Shown:
+    """Shows the task with the trial's seed, by the teacher that the experiment gives to the world.
+
+    Raises:
+        WorldError: the world has no teacher.
+    """
+    settings = unit.experiment.document.learning.settings
+    taught = teach(
+        unit.place, installed_skills(), seed=unit.seed, settings=settings, recording=unit.recording("demonstration")
+    )
+    problems = collisions_of(taught.verdict)
+    lesson = None
+    try:
+        lesson = learn(taught.demonstration, settings)
+        if structure(lesson.network) != structure(reference(unit)):
+            problems += [*taught.complaints, "another task was learned"]
+    except LearningError as error:  # a failed trial, too
+        problems.append(str(error))
+    return Shown(taught=taught, lesson=lesson, problems=tuple(problems))
+
+
+def structure(network: Network) -> tuple[tuple[str, ...], ...]:
+    """What two lessons of one task must have in common: the steps, on which side targets are passed, and the links."""
+    steps = tuple((path, _side(part)) for path, part in network.walk() if isinstance(part, Component))
+    return steps + tuple((link.source, link.target, link.type.value) for link in network.links)
+
+
+def _side(component: Component) -> str:
+    angle = component.parameters.get("angle_deg")
+    if not isinstance(angle, float):
+        return ""
+    return "right" if angle < _RIGHT_DEG else "left" if angle > 180 - _RIGHT_DEG else "ahead"
+
+
+def teach_trial(unit: Unit) -> Trial:
+    """Shows the task. A success is a clean demonstration from which the same is learned as from the reference."""
+    return _shown_trial(unit, show(unit))
+
+
+def _shown_trial(unit: Unit, shown: Shown) -> Trial:
+    return unit.trial(
+        ending="taught" if shown.taught.finished else "unfinished",
+        stage=shown.taught.stage,
+        time_s=round(shown.taught.demonstration.span.duration, 3),
+        problems=shown.problems,
+        learned=_text(unit, shown),
+    )
+
+
+def run_trial(unit: Unit) -> Trial:
+    """Executes the task of the row, or what the reference teaches."""
+    return executed(unit, unit.experiment.task(unit.row) or reference(unit))
+
+
+def executed(unit: Unit, network: Network) -> Trial:
+    """Executes a task in the room of the trial.
+
+    Args:
+        unit: the trial.
+        network: the task.
+    """
+    performed = perform(
+        unit.experiment.name,
+        network,
+        unit.room,
+        installed_skills(),
+        seed=unit.seed,
+        limit_s=unit.limit_s,
+        recording=unit.recording("run"),
+    )
+    return unit.trial_of(performed.report, problems_of(performed, network), performed.stage)
+
+
+def teach_and_run_trial(unit: Unit) -> Trial:
+    """Shows the task, and executes what was learned from that; both have to succeed (§4.5.5.1)."""
+    shown = show(unit)
+    if shown.lesson is None:
+        return _shown_trial(unit, shown)
+    run = executed(unit, shown.lesson.network)
+    demonstration = [f"taught: {problem}" for problem in shown.problems]
+    return replace(
+        run,
+        problems=(*demonstration, *run.problems),
+        collisions=dict(Counter(shown.taught.verdict.collisions) + Counter(run.collisions)),
+        grazes=dict(Counter(shown.taught.verdict.grazes) + Counter(run.grazes)),
+        learned=_text(unit, shown),
+    )
+
+
+def _text(unit: Unit, shown: Shown) -> str:
+    return task_text(Task.of(unit.experiment.name, shown.lesson.network)) if shown.lesson is not None else ""
