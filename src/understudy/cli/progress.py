@@ -15,12 +15,13 @@ class Progress(Protocol):
 
 
 @contextmanager
-def progress(title: str, total: float | None = None) -> Iterator[Progress]:
+def progress(title: str, total: float | None = None, *, unit: str = "s of simulated time") -> Iterator[Progress]:
     """A progress line while the block runs.
 
     Args:
         title: what is being done.
         total: where it ends, in the units of ``now``; None if nobody knows.
+        unit: what is counted.
     """
     if not sys.stderr.isatty():
         yield lambda now, what: None
@@ -33,7 +34,7 @@ def progress(title: str, total: float | None = None) -> Iterator[Progress]:
         SpinnerColumn(),
         TextColumn("{task.description}"),
         BarColumn(),
-        TextColumn("{task.completed:.0f} s of simulated time  {task.fields[what]}"),
+        TextColumn("{task.completed:.0f} " + unit + "  {task.fields[what]}"),
     )
     with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task(title, total=total, what="")

@@ -1,9 +1,11 @@
 """Experiments as documents, the dissertation's among them; their trials, with every seed and failure counted."""
 
-from understudy.experiments.conducting import conduct
+from understudy.experiments.campaign import Campaign, Standing
+from understudy.experiments.conducting import Made, conduct, make
 from understudy.experiments.delivery_rooms import CONDITIONS, Condition
 from understudy.experiments.document import ExperimentDocument, Learning, Limits, Options, Row, experiment_schema
 from understudy.experiments.experiment import Experiment
+from understudy.experiments.fingerprint import fingerprint
 from understudy.experiments.generalization import Course, course, ways
 from understudy.experiments.hierarchical import links_with_init, visits
 from understudy.experiments.judging import collisions_of, problems_of
@@ -13,26 +15,34 @@ from understudy.experiments.summary import Measured, Summary, Table, success_rat
 from understudy.experiments.tables import TABLES
 from understudy.experiments.teaching import executed, reference, structure
 from understudy.experiments.trial import Trial
-from understudy.experiments.unit import Unit
+from understudy.experiments.unit import Unit, Witness
+from understudy.experiments.workforce import Alone, DaskWorkers, Workforce
 
 __all__ = [
     "CONDITIONS",
     "KINDS",
     "TABLES",
+    "Alone",
+    "Campaign",
     "Condition",
     "Course",
+    "DaskWorkers",
     "Experiment",
     "ExperimentDocument",
     "Kind",
     "Learning",
     "Limits",
+    "Made",
     "Measured",
     "Options",
     "Row",
+    "Standing",
     "Summary",
     "Table",
     "Trial",
     "Unit",
+    "Witness",
+    "Workforce",
     "collisions_of",
     "conduct",
     "course",
@@ -40,8 +50,10 @@ __all__ = [
     "experiment_names",
     "experiment_schema",
     "find_experiment",
+    "fingerprint",
     "links_with_init",
     "load_experiment",
+    "make",
     "problems_of",
     "reference",
     "structure",

@@ -46,7 +46,7 @@ def delivery_trial(unit: Unit) -> Trial:
     moved = DeliveryOptions.model_validate(unit.options).moved
     if moved is None:
         return _run(unit, None, 0.0)
-    quiet = _run(replace(unit, folder=None), None, 0.0)
+    quiet = _run(replace(unit, folder=None, witness=None), None, 0.0)
     return _run(unit, moved, max(_FIRST_S, quiet.time_s - _LAST_S))
 
 
@@ -71,7 +71,7 @@ def _run(unit: Unit, moved: Movable | None, before_s: float) -> Trial:
     switches = sum(event.kind == "switch" for event in performed.report.events)
     door = "open" if door_open else "closed"
     details = {"at first": str(condition), "door": door, "moved": hand.did, "switches": switches}
-    return unit.trial_of(performed.report, _problems(performed), performed.stage, details=details)
+    return unit.trial_of(performed, network, _problems(performed), details=details)
 
 
 def _problems(performed: Performed) -> list[str]:

@@ -22,7 +22,7 @@ from understudy.experiments.judging import collisions_of
 from understudy.experiments.summary import Table
 from understudy.experiments.teaching import executed
 from understudy.experiments.trial import Trial
-from understudy.experiments.unit import Unit
+from understudy.experiments.unit import Unit, Witness
 from understudy.generalization import generalize
 from understudy.learning import learn
 from understudy.network import Network, Task, task_text
@@ -75,7 +75,14 @@ class Course:
     complaints: tuple[str, ...]
 
 
-def course(worlds: Sequence[World], learning: Learning, seed: int | None = None, stem: Path | None = None) -> Course:
+def course(
+    worlds: Sequence[World],
+    learning: Learning,
+    seed: int | None = None,
+    *,
+    stem: Path | None = None,
+    witness: Witness | None = None,
+) -> Course:
     """Shows a task several times.
 
     Args:
@@ -83,6 +90,7 @@ def course(worlds: Sequence[World], learning: Learning, seed: int | None = None,
         learning: settings of the learner.
         seed: of all chance in each room; the rooms' own if None.
         stem: of the recordings; None records nothing.
+        witness: is shown each demonstration, and what was known after it.
     """
     tasks: list[Network] = []
     stages: list[Stage] = []
@@ -101,6 +109,8 @@ def course(worlds: Sequence[World], learning: Learning, seed: int | None = None,
             tasks.append(generalize(tasks[-1], network).network if tasks else network)
         except LearningError as error:  # a failed demonstration, too
             problems.append(str(error))
+        if witness is not None:
+            witness(taught, tasks[-1] if tasks else None)
     return Course(
         tasks=tuple(tasks),
         stages=tuple(stages),
@@ -132,7 +142,7 @@ def course_trial(unit: Unit) -> Trial:
     experiment = unit.experiment
     worlds = [experiment.furnished(experiment.worlds[name], unit.row) for name in options.worlds]
     stem = unit.folder / f"{unit.stem}-demonstration" if unit.folder is not None else None
-    shown = course(worlds, experiment.document.learning, unit.seed, stem)
+    shown = course(worlds, experiment.document.learning, unit.seed, stem=stem, witness=unit.witness)
     same = [ways(task) for task in shown.tasks] == [ways(task) for task in _reference_of(experiment, options)]
     verdicts = [stage.verdict() for stage in shown.stages]
     return unit.trial(

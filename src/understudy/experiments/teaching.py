@@ -74,6 +74,8 @@ def show(unit: Unit) -> Shown:
             problems += [*taught.complaints, "another task was learned"]
     except LearningError as error:  # a failed trial, too
         problems.append(str(error))
+    if unit.witness is not None:
+        unit.witness(taught, lesson.network if lesson is not None else None)
     return Shown(taught=taught, lesson=lesson, problems=tuple(problems))
 
 
@@ -126,7 +128,7 @@ def executed(unit: Unit, network: Network) -> Trial:
         limit_s=unit.limit_s,
         recording=unit.recording("run"),
     )
-    return unit.trial_of(performed.report, problems_of(performed, network), performed.stage)
+    return unit.trial_of(performed, network, problems_of(performed, network))
 
 
 def teach_and_run_trial(unit: Unit) -> Trial:

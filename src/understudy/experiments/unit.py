@@ -1,17 +1,21 @@
 """A unit of work: one trial that is to be made. What comes out of it follows from experiment, row and seed alone."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from understudy.execution import RunReport
 from understudy.experiments.document import Row
 from understudy.experiments.experiment import Experiment
 from understudy.experiments.trial import Trial
-from understudy.sessions import Stage, file_stem
+from understudy.network import Network
+from understudy.sessions import Performed, Stage, Taught, file_stem
 from understudy.sim import World, rearranged
 
-__all__ = ["Unit"]
+__all__ = ["Unit", "Witness"]
+
+Witness = Callable[[Taught | Performed, Network | None], None]
+"""Is shown what was taught or performed, and the task that was learned or executed, if there is one."""
 
 _EVERY = 5
 """Of the robot's path every fifth place is kept, two a second."""
@@ -26,12 +30,14 @@ class Unit:
         row: which of its rows.
         seed: of the trial.
         folder: where to leave recordings; None records nothing.
+        witness: is shown each demonstration, and each run with its task; for pictures.
     """
 
     experiment: Experiment
     row: Row
     seed: int
     folder: Path | None = None
+    witness: Witness | None = None
 
     @property
     def place(self) -> World:
@@ -87,18 +93,21 @@ class Unit:
             found = {**seen, "path": tuple(map(tuple, path)), **found}
         return Trial(experiment=self.experiment.name, row=self.row.name, seed=self.seed, ending=ending, **found)
 
-    def trial_of(self, report: RunReport, problems: list[str], stage: Stage, **found: Any) -> Trial:
+    def trial_of(self, performed: Performed, network: Network, problems: list[str], **found: Any) -> Trial:
         """The trial of a run.
 
         Args:
-            report: the robot's.
+            performed: the run.
+            network: its task.
             problems: what was wrong with it.
-            stage: where it took place.
             found: the other attributes of the trial.
         """
+        if self.witness is not None:
+            self.witness(performed, network)
+        report = performed.report
         return self.trial(
             ending=report.ending,
-            stage=stage,
+            stage=performed.stage,
             time_s=round(report.duration_s, 3),
             problems=tuple(problems),
             achieved=report.achieved,

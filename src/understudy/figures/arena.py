@@ -48,6 +48,7 @@ _SCALE_BAR = 22.0
 _SWUNG_DEG = 3.0
 _LEAF = "#8a6f4e"
 """Wood: none of the eight colors."""
+_OTHER = blend(INK, FLOOR, 0.72)
 _STEP_M = 0.03
 _ARROWS_M = 0.9
 """Trajectories are drawn in steps of three centimetres, with an arrow head every so many metres."""
@@ -62,6 +63,7 @@ def draw_arena(
     subtitle: str = "",
     note: str = "",
     doors: Sequence[float] = (),
+    others: Sequence[NDArray[np.float64]] = (),
 ) -> Figure:
     """Draw a room with trajectories and marks.
 
@@ -73,9 +75,10 @@ def draw_arena(
         subtitle: a line or two below it.
         doors: how far each door was open in the end, degrees; left out, they are drawn as they were at the beginning.
         note: of boxes and doors, ``at the start`` where nobody knows what became of them.
+        others: what was driven at other times, as thin lines behind all else: rows of seconds, x and y in metres.
     """
     name = world.name if title is None else title
-    return _Picture(world, trajectories, marks, name, subtitle, note, doors).draw()
+    return _Picture(world, trajectories, marks, name, subtitle, note, doors, others).draw()
 
 
 class _Picture:
@@ -90,7 +93,9 @@ class _Picture:
         subtitle: str,
         note: str,
         doors: Sequence[float],
+        others: Sequence[NDArray[np.float64]],
     ) -> None:
+        self.others = others
         self.opened = list(doors) or [door.open_deg for door in world.doors]
         self.note = f", {clean(note)}" if note else ""
         self.world, self.trajectories = world, [line for line in trajectories if len(line.points)]
@@ -124,6 +129,8 @@ class _Picture:
             self.sheet.text(_MARGIN, y, line, color=MUTED)
             y += 14
         self._floor()
+        for path in self.others:
+            self.sheet.line([self.xy(x, y) for _, x, y in path], color=_OTHER, width=0.7, z=2.5)
         self._things()
         self._bodies()
         for trajectory in self.trajectories:

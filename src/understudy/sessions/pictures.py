@@ -1,10 +1,11 @@
 """The pictures of a demonstration, of a task, and of a run; and of what a recording shows."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from understudy.behaviors import Skill
 from understudy.execution import Event
@@ -67,18 +68,29 @@ def picture_task(
     return save(draw_network(network, skills=skills, title=name, depth=depth), stem)
 
 
-def picture_run(performed: Performed, network: Network, stem: Path) -> list[Path]:
-    """The room with the robot's path, and its progress (Figures 4.12 and 4.14)."""
+def picture_run(
+    performed: Performed, network: Network, stem: Path, *, others: Sequence[NDArray[np.float64]] = ()
+) -> list[Path]:
+    """The room with the robot's path, and its progress (Figures 4.12 and 4.14).
+
+    Args:
+        performed: the run.
+        network: its task.
+        stem: of the files.
+        others: paths of other runs in the same room, for comparison.
+    """
     stage, report = performed.stage, performed.report
     paths = [Trajectory(name="robot", points=stage.robot_path), *_box_paths(stage)]
     outcome = "Done" if report.done else "Not done"
+    compared = f" Thin lines: {len(others)} other runs." if others else ""
     arena = draw_arena(
         stage.world,
         paths,
         marks_of_run(report.events, network),
         title=f"{performed.task}: the robot on its own",
-        subtitle=f"{outcome} after {report.duration_s:.0f} s. Numbers: where each step was achieved.",
+        subtitle=f"{outcome} after {report.duration_s:.0f} s. Numbers: where each step was achieved.{compared}",
         doors=stage.referee.doors(),
+        others=others,
     )
     progress = draw_progress(network, report.events, report.duration_s, title=f"{performed.task}: the robot's progress")
     return [
