@@ -7,8 +7,8 @@ from understudy.experiments.reports.contents import Report
 __all__ = ["PICTURES", "markdown"]
 
 HOW_IT_IS_COUNTED = (
-    "A success is one by all criteria of §4.5.3; the intervals are exact (Clopper-Pearson). Times and contacts are those"
-    " of all trials, the failed ones among them; a collision makes a failure, a graze is a short, soft contact."
+    "A success is one by all criteria of §4.5.3; the intervals are exact (Clopper-Pearson). Times and contacts are"
+    " those of all trials, the failed ones among them; a collision makes a failure, a graze is a short, soft contact."
 )
 
 PICTURES = "pictures"
