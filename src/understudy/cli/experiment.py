@@ -11,6 +11,7 @@ import typer
 
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, WorkspaceFolder
 from understudy.cli.progress import progress
+from understudy.errors import MissingExtraError
 
 if TYPE_CHECKING:
     from understudy.experiments import Experiment, Row, Standing, Unit
@@ -77,7 +78,7 @@ def _campaign(
 ) -> bool:
     """Makes what is left of a campaign, and tells what came out; True if no goal is missed."""
     from understudy.experiments import Alone, Campaign, DaskWorkers  # noqa: PLC0415
-    from understudy.experiments.reports import missed_goals, rows_table, write_report  # noqa: PLC0415
+    from understudy.experiments.reports import report_of, write_markdown, write_page  # noqa: PLC0415
 
     with Campaign(experiment, rows, seeds, folder) as campaign:
         if campaign.left:
@@ -96,8 +97,13 @@ def _campaign(
                     typer.echo(f"{made} of {total} trials are kept; give the same command again to go on", err=True)
                     raise
         with progress(f"{experiment.name}: writing the report"):
-            pages = write_report(campaign)
-        trials, missed = campaign.trials, missed_goals(experiment, campaign.trials)
+            report = report_of(campaign)
+            pages = [write_markdown(report, folder)]
+            try:
+                pages.append(write_page(report, folder))
+            except MissingExtraError as error:
+                typer.echo(error, err=True)
+        trials, missed = campaign.trials, report.missed
         for note in campaign.notes:
             typer.echo(note, err=True)
     if as_json:
@@ -109,8 +115,7 @@ def _campaign(
         }
         typer.echo(json.dumps(record))
         return not missed
-    table = rows_table(experiment, trials)
-    typer.echo("\n".join((table.title, "", *table.markdown(), "")))
+    typer.echo("\n".join((report.rows.title, "", *report.rows.markdown(), "")))
     for trial in trials:
         if not trial.success:
             typer.echo(f"- {trial}: {'; '.join(trial.problems)}")

@@ -20,11 +20,13 @@ class Experiment:
         document: the experiment's own.
         worlds: by the names that it uses.
         tasks: the same.
+        called: what a user calls it on the command line: its name if it is bundled, else its file.
     """
 
     document: ExperimentDocument
     worlds: Mapping[str, World]
     tasks: Mapping[str, Task]
+    called: str
 
     @property
     def name(self) -> str:

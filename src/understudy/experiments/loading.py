@@ -1,6 +1,7 @@
 """Experiments found and read: those that come with the program by their names, others by their files."""
 
 from collections.abc import Collection
+from dataclasses import replace
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -35,7 +36,7 @@ def find_experiment(name: str) -> Experiment:
         NetworkError: a task that it names is malformed.
     """
     if name in experiment_names():
-        return load_experiment(_BUNDLED / f"{name}.yaml")
+        return replace(load_experiment(_BUNDLED / f"{name}.yaml"), called=name)
     if not Path(name).exists():
         raise ExperimentError(
             f"there is no such file, and no such experiment among: {', '.join(experiment_names())}", source=name
@@ -69,6 +70,7 @@ def load_experiment(path: str | Path) -> Experiment:
         document=document,
         worlds={name: _world(name, path) for name in dict.fromkeys(worlds)},
         tasks={name: _task(name, path) for name in dict.fromkeys(tasks) if name is not None},
+        called=source,
     )
     for row in document.rows:
         experiment.place(row)  # a teacher or a noise that cannot be is refused before anything is done

@@ -64,7 +64,7 @@ class Store:
             self._connection.exec_driver_sql("PRAGMA locking_mode=EXCLUSIVE")
             self._connection.exec_driver_sql("BEGIN EXCLUSIVE")
             _TABLES.create_all(self._connection)
-            known = dict(self._connection.execute(select(_BASIS.c.key, _BASIS.c.value)).tuples().all())
+            known = {row.key: row.value for row in self._connection.execute(select(_BASIS))}
             basis = _basis(experiment)
             told = next(filter(None, (_difference(known[key], basis[key], key) for key in basis if key in known)), "")
             if new := [{"key": key, "value": value} for key, value in basis.items() if key not in known]:
@@ -99,7 +99,7 @@ class Store:
     def took_s(self) -> dict[str, list[float]]:
         """How long the trials took, by row."""
         with self._said():
-            known = self._connection.execute(select(_TRIALS.c.row, _TRIALS.c.took_s)).tuples().all()
+            known = self._connection.execute(select(_TRIALS.c.row, _TRIALS.c.took_s)).all()
         found: dict[str, list[float]] = {}
         for row, took_s in known:
             found.setdefault(row, []).append(took_s)

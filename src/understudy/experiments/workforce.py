@@ -165,6 +165,7 @@ class DaskWorkers:
 _CONFIG: Mapping[str, Any] = {
     "distributed.scheduler.allowed-failures": _DEATHS,
     "distributed.nanny.environ": _ONE_THREAD,
+    "distributed.worker.preload": ["understudy.experiments.worker"],
 }
 
 

@@ -5,7 +5,7 @@ from understudy.experiments.reports.markdown import markdown
 from understudy.experiments.reports.page import page
 from understudy.experiments.reports.pictures import Picture
 from understudy.experiments.reports.rows import missed_goals, rows_table
-from understudy.experiments.reports.writing import write_report
+from understudy.experiments.reports.writing import write_markdown, write_page
 
 __all__ = [
     "Failure",
@@ -16,5 +16,6 @@ __all__ = [
     "page",
     "report_of",
     "rows_table",
-    "write_report",
+    "write_markdown",
+    "write_page",
 ]

@@ -1,5 +1,6 @@
 """All that a report says, before it is put into a form."""
 
+import shlex
 from dataclasses import dataclass
 
 from understudy.experiments.campaign import Campaign
@@ -9,6 +10,7 @@ from understudy.experiments.reports.pictures import Picture, pictures_of
 from understudy.experiments.reports.rows import missed_goals, rows_table
 from understudy.experiments.summary import Table
 from understudy.experiments.tables import TABLES
+from understudy.experiments.trial import Trial
 
 __all__ = ["Failure", "Report", "report_of"]
 
@@ -77,7 +79,7 @@ def report_of(campaign: Campaign) -> Report:
                 trial=str(trial),
                 problems=trial.problems,
                 recordings=campaign.recordings_of(trial),
-                again=f"understudy experiment {experiment.name} --row '{trial.row}' --seed {trial.seed} --trials 1",
+                again=_again(experiment, trial),
             )
             for trial in failed
         ),
@@ -85,3 +87,8 @@ def report_of(campaign: Campaign) -> Report:
         pictures=tuple(pictures_of(campaign)),
         program=", ".join(f"{what} {which}" for what, which in fingerprint().items()),
     )
+
+
+def _again(experiment: Experiment, trial: Trial) -> str:
+    name, row = shlex.quote(experiment.called), shlex.quote(trial.row)
+    return f"understudy experiment {name} --row {row} --seed {trial.seed} --trials 1"
