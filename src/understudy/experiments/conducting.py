@@ -1,5 +1,6 @@
 """Making one trial; and, for one that fails, a recording of it."""
 
+import gc
 import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -52,6 +53,7 @@ def make(unit: Unit) -> Made:
     clock = WallClock()
     trial = conduct(unit)
     recordings, note = _recorded(unit, trial) if trial.problems else ((), "")
+    gc.collect()  # a room and its robot refer to each other; many at once would tear the memory to pieces
     return Made(trial=trial, took_s=clock.now(), recordings=recordings, note=note)
 
 
