@@ -54,8 +54,8 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_help_names_every_command(tmp_path: Path) -> None:
     help_ = understudy("--help", folder=tmp_path).stdout
     commands = (
-        "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "schema",
-        "doctor",
+        "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "experiment",
+        "schema", "doctor",
     )  # fmt: skip
     for command in commands:
         assert f"\n  {command}" in help_

@@ -23,11 +23,14 @@ _NEEDED = {
     "typer": "the command line",
     "rich": "progress bars",
     "pyyaml": "documents",
+    "sqlalchemy": "trials that are kept",
 }
 _OPTIONAL = {
     "unified-planning": "tasks from goals",
     "up-pyperplan": "tasks from goals",
     "up-fast-downward": "tasks from goals, another planner",
+    "distributed": "trials on many workers",
+    "jinja2": "reports as pages",
 }
 
 
