@@ -64,6 +64,7 @@ def test_the_schema_has_the_keys_of_the_parser() -> None:
         (row(**{"with": {"moved": "box"}}), ExperimentError, "rows[0].with.moved: unknown key 'moved'; allowed here: "),
         (row(kind="run planned"), ExperimentError, "rows[0].with.plan: this key is required and missing"),
         ({"rows": PLAIN["rows"] * 2}, ExperimentError, "two rows are called 'taught'; rename one of them"),
+        (row(goal=98), ExperimentError, "rows[0].goal: the goal of this kind is a rate of successes, a number f"),
         ({"tables": ["chairs"]}, ExperimentError, "tables[0]: 'chairs' is unknown here; choose one of: orders, "),
         ({"world": "moon"}, ExperimentError, "names the world 'moon', and there is no such file beside it, and no suc"),
         ({"task": "moon"}, ExperimentError, "it names the task 'moon', and there is no such file beside it, and no su"),
@@ -118,7 +119,9 @@ def test_a_changed_room_is_drawn_by_the_seed_within_the_limits(tmp_path: Path) -
 
 
 def test_a_room_that_cannot_be_drawn_is_a_failed_trial(tmp_path: Path) -> None:
-    experiment = load_experiment(written(tmp_path, task="hierarchical", **row(room="changed", limits={"spacing": 9})))
+    experiment = load_experiment(
+        written(tmp_path, task="hierarchical", **row(room="changed", limits={"robot_clearance": 9}))
+    )
     trial = conduct(Unit(experiment=experiment, row=experiment.row("a"), seed=1))
     assert (trial.ending, trial.success) == ("error", False)
     assert "no free arrangement found" in trial.problems[0]

@@ -80,6 +80,9 @@ def load_experiment(path: str | Path) -> Experiment:
 def _checked_options(document: ExperimentDocument, row: Row, index: int, source: str) -> tuple[str, ...]:
     """The further worlds that a row's kind asks for, if the kind is known and takes the row's options."""
     kind = KINDS[_known(row.kind, KINDS, source, ("rows", index, "kind"))]
+    if kind.is_rate and row.goal is not None and row.goal > 1:
+        problem = f"the goal of this kind is a rate of successes, a number from 0 to 1, given {row.goal:g}"
+        raise ExperimentError(problem, source=source, path=f"rows[{index}].goal")
     try:
         return kind.options.model_validate({**document.options, **row.options}).named_worlds
     except ValidationError as error:

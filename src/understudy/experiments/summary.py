@@ -18,7 +18,7 @@ class Measured:
     Attributes:
         value: to be compared with the goal.
         told: ``98 of 100``.
-        sure: how sure one can be of it: ``93% to 100%``.
+        sure: how sure one can be of it: ``93% to 100%``; if not with 95 %, it says with what.
     """
 
     value: float

@@ -17,6 +17,8 @@ from understudy.sim import World
 
 __all__ = ["Shown", "executed", "reference", "run_trial", "show", "structure", "teach_and_run_trial", "teach_trial"]
 
+Structure = tuple[tuple[str, ...], ...]
+
 _RIGHT_DEG = 45.0
 
 _REMEMBERED = 32
@@ -66,12 +68,12 @@ def show(unit: Unit) -> Shown:
     taught = teach(
         unit.place, installed_skills(), seed=unit.seed, settings=settings, recording=unit.recording("demonstration")
     )
-    problems = collisions_of(taught.verdict)
-    lesson = None
+    problems, lesson = collisions_of(taught.verdict), None
     try:
         lesson = learn(taught.demonstration, settings)
-        if structure(lesson.network) != structure(reference(unit)):
-            problems += [*taught.complaints, "another task was learned"]
+        told = _difference(structure(lesson.network), structure(reference(unit)))
+        problems += [*taught.complaints, f"another task was learned: {told}"] if told else []
+        problems += taught.complaints[-1:] if not taught.finished and not told else []
     except LearningError as error:  # a failed trial, too
         problems.append(str(error))
     if unit.witness is not None:
@@ -79,10 +81,31 @@ def show(unit: Unit) -> Shown:
     return Shown(taught=taught, lesson=lesson, problems=tuple(problems))
 
 
-def structure(network: Network) -> tuple[tuple[str, ...], ...]:
+def structure(network: Network) -> Structure:
     """What two lessons of one task must have in common: the steps, on which side targets are passed, and the links."""
     steps = tuple((path, _side(part)) for path, part in network.walk() if isinstance(part, Component))
     return steps + tuple((link.source, link.target, link.type.value) for link in network.links)
+
+
+def _difference(learned: Structure, wanted: Structure) -> str:
+    """What one lesson has and another one has not, in words; empty if they are the same."""
+    if learned == wanted:
+        return ""
+    lists = (
+        ("without", [one for one in wanted if one not in learned]),
+        ("with", [one for one in learned if one not in wanted]),
+    )
+    told = [f"{word} {', '.join(map(_in_words, each))}" for word, each in lists if each]
+    return "; ".join(told) or "the same steps in another order"
+
+
+def _in_words(part: tuple[str, ...]) -> str:
+    match part:
+        case (step, side):
+            return f"{step} ({side})" if side else step
+        case _:
+            source, target, kind = part
+            return f"{source} → {target} ({kind})"
 
 
 def _side(component: Component) -> str:

@@ -14,12 +14,13 @@ __all__ = ["missed_goals", "rows_table"]
 
 def rows_table(experiment: Experiment, trials: Sequence[Trial]) -> Table:
     """What the trials of each row come to; rows without trials are left out."""
+    rates = all(KINDS[row.kind].is_rate for row in experiment.document.rows)
     return Table(
         title=experiment.document.title or experiment.name,
         head=(
             "row",
-            "successes",
-            "95 % interval",
+            "successes" if rates else "measured",
+            "95 % interval" if rates else "95 % interval, or as said",
             "dissertation",
             "goal",
             "mean time",
