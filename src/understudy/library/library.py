@@ -112,6 +112,18 @@ class Library:
             raise LibraryError(f"{self.location} is damaged: the file {sha256} is not what it was when it was put in")
         return str(row.suffix), content
 
+    def suffix(self, sha256: str) -> str:
+        """What the name of a file ends in.
+
+        Raises:
+            LibraryError: there is no such file.
+        """
+        with reading(self._engine) as connection:
+            found = connection.scalar(select(FILES.c.suffix).where(FILES.c.sha256 == sha256))
+        if found is None:
+            raise LibraryError(f"{self.location} holds no file {sha256}")
+        return str(found)
+
     @contextmanager
     def writing(self) -> Iterator[Writing]:
         """A transaction: what is added in the block is kept when it ends well, and nothing of it otherwise."""

@@ -7,7 +7,7 @@ middle of it; and a transaction has gone to the disk when it is over.
 
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, Final
 
@@ -150,17 +150,19 @@ def _make(file: Path, location: str) -> None:
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
         part.unlink(missing_ok=True)
+    except OSError as error:
+        raise LibraryError(f"{location}: no library can be made there: {error.strerror}") from None
+    try:
         engine = _engine(URL.create("sqlite", database=str(part)), location)
         with writing(engine) as connection:
             _make_tables(connection)
         raw = engine.raw_connection()
         raw.cursor().execute("PRAGMA journal_mode = WAL")  # stays with the file; not within a transaction
         raw.close()
-        os.link(part, file)
-    except FileExistsError:
-        return  # somebody else was faster
+        with suppress(FileExistsError):  # somebody else was faster
+            os.link(part, file)
     except OSError as error:
-        raise LibraryError(f"{location}: this library cannot be made: {error.strerror}") from None
+        raise LibraryError(f"{location}: no library can be made there: {error.strerror}") from None
     finally:
         part.unlink(missing_ok=True)
 

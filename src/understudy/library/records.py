@@ -10,7 +10,7 @@ from understudy.documents import parse_text
 from understudy.errors import LibraryError, NetworkError
 from understudy.network import Network, Task, parse_task
 
-__all__ = ["Cause", "Entry", "Revision", "Sitting", "SittingKind", "name_and_number", "network_of"]
+__all__ = ["Cause", "Entry", "Revision", "Sitting", "SittingKind", "name_and_number", "network_of", "shown_in"]
 
 Cause = Literal["learned", "generalised", "BAD", "COME … GO", "planned", "edited by hand", "imported", "reverted"]
 """What made a revision out of the one before."""
@@ -113,6 +113,16 @@ def network_of(revision: Revision) -> tuple[Task, Network]:
     """
     source = f"library: {revision}"
     return parse_task(parse_text(revision.document, source=source, kind=NetworkError), source=source)
+
+
+def shown_in(demonstration: Sitting) -> Network:
+    """What was learned from one demonstration alone.
+
+    Raises:
+        NetworkError: it is no task document, which only another program can have brought about.
+    """
+    source = f"library: {demonstration.task}, {demonstration}"
+    return parse_task(parse_text(demonstration.shown, source=source, kind=NetworkError), source=source)[1]
 
 
 def name_and_number(text: str) -> tuple[str, int | None]:

@@ -13,12 +13,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 
-from understudy.documents import parse_text
-from understudy.errors import LanguageError, NetworkError
+from understudy.errors import LanguageError
 from understudy.language import symbol_of
-from understudy.library.records import Sitting
+from understudy.library.records import Sitting, shown_in
 from understudy.library.replay import Replay, replays
-from understudy.network import Component, LinkType, Nab, Network, parse_task
+from understudy.network import Component, LinkType, Nab, Network
 
 __all__ = ["Misfit", "Regression", "Unheld", "regression"]
 
@@ -127,8 +126,7 @@ def _steps(sitting: Sitting, executed: Mapping[int, Network]) -> _Steps:
         by_path = executed[sitting.revision].by_path
         parts = [by_path[path] for path in sitting.achieved]
         return _Steps(components=tuple(part for part in parts if isinstance(part, Component)), kept={})
-    source = f"library: {sitting.task}, {sitting}"
-    _, shown = parse_task(parse_text(sitting.shown, source=source, kind=NetworkError), source=source)
+    shown = shown_in(sitting)
     steps = [shown.by_id[id_] for id_ in shown.topological_order]
     return _Steps(
         components=tuple(part for part in steps if isinstance(part, Component)),

@@ -12,6 +12,7 @@ from sqlalchemy import Connection, Table, func, insert, select
 from understudy.errors import LibraryError
 from understudy.library.records import Revision, Sitting, SittingKind
 from understudy.library.schema import FILES, REVISIONS, SITTINGS, TASKS
+from understudy.network import task_names
 
 __all__ = ["Writing", "check_name"]
 
@@ -19,16 +20,19 @@ _LONGEST_NAME = 80
 
 
 def check_name(name: str) -> None:
-    """Refuses what cannot be the name of a task in the library.
+    """Refuses what cannot be the name of a new task in the library.
 
     Raises:
-        LibraryError: it is empty or too long, or has in it what has a meaning on the command line.
+        LibraryError: it is empty or too long, has in it what has a meaning on the command line, or is that of a task
+            that comes with the program.
     """
     if not name.strip() or len(name) > _LONGEST_NAME or any(sign in name for sign in "@/\\\n"):
         raise LibraryError(
             f"{name[:_LONGEST_NAME]!r} cannot be the name of a task in the library: it has 1 to {_LONGEST_NAME}"
             " characters, and no @, / or \\ among them"
         )
+    if name in task_names():
+        raise LibraryError(f"{name} is the name of a task that comes with the program; give yours another one")
 
 
 class Writing:
@@ -171,10 +175,10 @@ class Writing:
 
     def _task(self, name: str) -> int:
         """The task's row, made if there is none; locked, where the database locks rows, so that numbers are unique."""
-        check_name(name)
         mine = select(TASKS.c.id).where(TASKS.c.name == name).with_for_update()
         found = self._connection.scalar(mine)
         if found is None:
+            check_name(name)
             self._connection.execute(insert(TASKS), {"name": name})
             found = self._connection.scalar(mine)
         assert found is not None
