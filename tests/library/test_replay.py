@@ -150,7 +150,7 @@ def test_what_is_put_in_and_what_comes_elsewhere_is_named() -> None:
         )
     )
     _, words = told(longer, demonstration(CARRY))
-    assert words.endswith("in the task, and not in it: go to the red target")
+    assert words.endswith("missing here: go to the red target")
 
 
 def test_a_condition_that_did_not_hold_is_named() -> None:

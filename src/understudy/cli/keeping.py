@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Edit", "Keeping", "Kept", "Ran", "Shown", "decide", "edits_of", "keeping", "replayed", "say_replayed"]
 
+_FEW = 5
+"""More demonstrations and runs than these are counted and not listed: an archive may bring hundreds."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Edit:
@@ -80,7 +83,7 @@ class Kept:
     @property
     def accepted(self) -> bool:
         """Whether the task's name stands for the edited task now."""
-        return all(one.accepted for one in self.revisions)
+        return not self.revisions or any(one.accepted for one in self.revisions)
 
     def as_record(self) -> dict[str, Any]:
         """The same in plain data, under one key; nothing if nothing is kept."""
@@ -101,8 +104,13 @@ class Kept:
 
     def say(self, *, err: bool = False) -> None:
         """Tells it in words."""
-        for one in self.sittings:
-            typer.echo(f"Kept in the library: {one} of {one.task}@{one.revision}", err=err)
+        from understudy.figures import sittings_in_words  # noqa: PLC0415
+
+        if len(self.sittings) > _FEW:
+            typer.echo(f"Kept in the library: {sittings_in_words(self.sittings)} of {self.sittings[0].task}", err=err)
+        else:
+            for one in self.sittings:
+                typer.echo(f"Kept in the library: {one} of {one.task}@{one.revision}", err=err)
         for revision in self.revisions:
             proposed = "" if revision.accepted else ", as a proposal"
             typer.echo(f"Kept in the library: {revision} ({revision.cause}){proposed}", err=err)
@@ -294,12 +302,17 @@ def decide(regression: "Regression", task: str, misfits: bool | None) -> bool:
         return True
     if misfits is not None:
         return misfits
-    if not (sys.stdin.isatty() and sys.stderr.isatty()):
+    if not _attended():
         return False
     try:
         return typer.confirm(f"Shall {task} be so all the same?", err=True)
     except typer.Abort:  # Ctrl-C at the question: no, but nothing is lost
         return False
+
+
+def _attended() -> bool:
+    """Whether somebody can be asked."""
+    return sys.stdin.isatty() and sys.stderr.isatty()
 
 
 def _content(file: Path) -> bytes:

@@ -89,7 +89,7 @@ def history(task: _Task, library: LibraryPlace = None, as_json: Json = False) ->
         return
     head = max((one.number for one in revisions if one.accepted), default=0)
     for one in revisions:
-        beside = f" from {one.parent}" if one.parent != (one.number - 1 or None) and one.parent is not None else ""
+        beside = f"  (made from {one.parent})" if one.parent not in (None, one.number - 1) else ""
         state = "" if one.accepted else "  (a proposal)"
         mark = "→" if one.number == head else " "
         typer.echo(f"{mark} {one.number:>3}  {one.made_at:%Y-%m-%d %H:%M}  {_why(one)}{beside}{state}")

@@ -124,6 +124,16 @@ def command(
     record = performed.as_record() | {"rearranged": rearrange, "paused": str(aside) if aside is not None else None}
     report = stem.with_suffix(".json")
     write_new(report, json.dumps(record, indent=2) + "\n")
+    if not as_json:
+        numbers = numbers_of(network)
+        for path, time_s in performed.report.achieved:
+            number = "" if network.flat else f"{numbers[path]}. "
+            typer.echo(f"  achieved at {time_s:6.1f} s: {number}{goal_in_words(network.by_path[path], skills)}")
+        typer.echo(_ending(performed, tally, limit, aside))
+        if not performed.verdict.clean:
+            hits = ", ".join(f"{count} × {what}" for what, count in performed.verdict.collisions.items())
+            typer.echo(f"The robot bumped into things: {hits}")
+        typer.echo(f"Recorded in {performed.recording}, report in {report}")
     ran = Ran(
         kind="run",
         recording=recording,
@@ -136,15 +146,6 @@ def command(
     if as_json:
         typer.echo(json.dumps(record | kept.as_record()))
     else:
-        numbers = numbers_of(network)
-        for path, time_s in performed.report.achieved:
-            number = "" if network.flat else f"{numbers[path]}. "
-            typer.echo(f"  achieved at {time_s:6.1f} s: {number}{goal_in_words(network.by_path[path], skills)}")
-        typer.echo(_ending(performed, tally, limit, aside))
-        if not performed.verdict.clean:
-            hits = ", ".join(f"{count} × {what}" for what, count in performed.verdict.collisions.items())
-            typer.echo(f"The robot bumped into things: {hits}")
-        typer.echo(f"Recorded in {performed.recording}, report in {report}")
         kept.say()
         if not performed.report.done and aside is None:
             typer.echo(f"Why? understudy explain {performed.recording}")

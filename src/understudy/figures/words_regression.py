@@ -36,7 +36,7 @@ def describe_misfit(misfit: Misfit, skills: Mapping[str, Skill]) -> str:
         f"{what}: {goals(components)}"
         for what, components in (
             ("not in the task", misfit.extra),
-            ("in the task, and not in it", misfit.missing),
+            ("missing here", misfit.missing),
             ("at another place", misfit.moved),
         )
         if components

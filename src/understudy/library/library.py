@@ -142,8 +142,10 @@ class Library:
 
 def _entry(connection: Connection, id_: int, name: str) -> Entry:
     mine = REVISIONS.c.task == id_
-    counts = select(SITTINGS.c.kind, func.count()).where(SITTINGS.c.task == id_).group_by(SITTINGS.c.kind)
-    kinds: dict[str, int] = dict(connection.execute(counts).tuples().all())
+    counts = (
+        select(SITTINGS.c.kind, func.count().label("times")).where(SITTINGS.c.task == id_).group_by(SITTINGS.c.kind)
+    )
+    kinds: dict[str, int] = {row.kind: row.times for row in connection.execute(counts)}
     last = select(REVISIONS.c.made_at).where(mine).order_by(REVISIONS.c.number.desc()).limit(1)
     return Entry(
         name=name,

@@ -80,8 +80,8 @@ class Sitting:
     outcome: str = ""
 
     def __str__(self) -> str:
-        """``demonstration 2``."""
-        return f"{self.kind} {self.number}"
+        """``demonstration 2``, ``practice run 1``."""
+        return f"{'practice run' if self.kind == 'practice' else self.kind} {self.number}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
