@@ -92,6 +92,10 @@ def test_a_lesson_is_kept_with_what_it_was_learned_from(terminal: Terminal) -> N
     (shown,) = library.sittings("visits")
     assert library.file(shown.file) == (".yaml", (terminal.folder / "one.yaml").read_bytes())
     assert library.revision("visits").document == (terminal.folder / "understudy-out" / "visits.yaml").read_text()
+    terminal("tasks recording visits demonstration 1 again.yaml")
+    assert (terminal.folder / "again.yaml").read_bytes() == (terminal.folder / "one.yaml").read_bytes()
+    assert "nothing is overwritten" in terminal("tasks recording visits demonstration 1 again.yaml", expect=2)
+    assert "has no run 1; there are: none" in terminal("tasks recording visits run 1 run.mcap", expect=2)
     assert terminal("tasks show visits --document") == library.revision("visits").document
     assert terminal("tasks show visits").startswith("visits@1: learned from one, ")
     assert terminal("tasks list").startswith("  visits  @1  1 revision, 1 demonstration, 0 runs, 0 practice runs  ")

@@ -1,6 +1,8 @@
 """``understudy tasks``: the library looked at, compared, taken back."""
 
 import json
+from enum import StrEnum
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -18,6 +20,15 @@ __all__ = ["commands"]
 
 commands = typer.Typer(rich_markup_mode=None, no_args_is_help=True)
 """The commands below ``understudy tasks``."""
+
+
+class SittingName(StrEnum):
+    """What there are recordings of."""
+
+    DEMONSTRATION = "demonstration"
+    RUN = "run"
+    PRACTICE = "practice"
+
 
 _Task = Annotated[str, typer.Argument(help="A task of the library.")]
 
@@ -185,6 +196,28 @@ def revert(
     else:
         typer.echo(f"{task} is now {made}, just like {earlier}.")
         typer.echo(f"To take that back: understudy tasks revert {task} {head.number}")
+
+
+@commands.command("recording")
+def recording(
+    task: _Task,
+    kind: Annotated[SittingName, typer.Argument(help="Of what.")],
+    number: Annotated[int, typer.Argument(help="Which of them, as the history tells.")],
+    file: Annotated[Path, typer.Argument(help="The file to be written. Nothing is overwritten.")],
+    library: LibraryPlace = None,
+) -> None:
+    """Writes the recording of a demonstration or a run into a file again."""
+    from understudy.documents import new_file  # noqa: PLC0415
+
+    opened = _opened(library)
+    of_kind = {one.number: one for one in opened.sittings(task, kind.value)}
+    if number not in of_kind:
+        there = ", ".join(map(str, of_kind)) or "none"
+        raise LibraryError(f"{task} has no {kind.value} {number}; there are: {there}")
+    _, content = opened.file(of_kind[number].file)
+    with new_file(file) as written:
+        written.write(content)
+    typer.echo(f"Wrote {file}")
 
 
 commands.command("export", help="Write a task with all its history into one file.")(archives.export)

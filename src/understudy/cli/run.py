@@ -23,7 +23,9 @@ __all__ = ["command"]
 
 
 def command(
-    task: Annotated[Path, typer.Argument(help="A task document, or a task by its name.")],
+    task: Annotated[
+        Path, typer.Argument(help="A task document, or a task by its name; fetch@3 is its third revision.")
+    ],
     world: Annotated[str | None, typer.Option("--world", "-w", help="A world document, or a bundled one.")] = None,
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     seed: Seed = None,
