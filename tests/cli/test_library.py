@@ -62,7 +62,7 @@ class Terminal:
             asked.append(question)
             return answer
 
-        self._monkeypatch.setattr("understudy.cli.keeping._attended", lambda: True)
+        self._monkeypatch.setattr("understudy.cli.replaying._attended", lambda: True)
         self._monkeypatch.setattr("typer.confirm", confirm)
         return asked
 

@@ -172,6 +172,14 @@ def test_what_did_not_fit_before_is_told_apart() -> None:
     assert words.endswith("1 demonstration fits")
 
 
+def test_a_task_that_is_never_done_has_no_examples_and_says_so() -> None:
+    endless = build(part("rounds", do("Drop"), repeat()))
+    found, words = told(endless, demonstration(CARRY))
+    assert words == "Nothing was replayed: the task is never done, so that nothing can be an example of it"
+    found, words = told(CARRY, demonstration(build(do("Drop"))), before=endless)
+    assert len(found.broken) == 1, "whether it fitted before is not known, so it is asked about"
+
+
 def test_a_task_in_too_many_orders_is_not_replayed_and_says_so() -> None:
     many = build(any_order(*(do("Track", color="green") for _ in range(20))))
     found, words = told(many, run(*CARRY.topological_order))

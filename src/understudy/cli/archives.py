@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
-from understudy.cli.keeping import Kept, decide, keeping, replayed, say_replayed
+from understudy.cli.keeping import Kept, keeping
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, LibraryPlace, Misfits
+from understudy.cli.replaying import decide, replayed, say_replayed
 from understudy.cli.tasks import named_task, open_library, place_of
 from understudy.errors import LibraryError
 

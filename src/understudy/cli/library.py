@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from understudy.cli import archives
-from understudy.cli.keeping import replayed, say_replayed
 from understudy.cli.options import Json, LibraryPlace
+from understudy.cli.replaying import replayed, say_replayed
 from understudy.cli.tasks import open_library, place_of
 from understudy.errors import LibraryError
 

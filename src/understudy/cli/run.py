@@ -66,6 +66,7 @@ def command(
 
     named = named_task(task, library, workspace)
     document, network = named.task, named.network
+    again = task if named.kept is None else named.source  # the task's name may stand for another revision then
     skills = installed_skills()
     compile_network(network, skills, source=named.source)  # what does not fit is refused with the file's name
     broken = [] if unchecked or resume is not None else broken_rules(network)
@@ -117,7 +118,7 @@ def command(
         except KeyboardInterrupt:
             # Before its first tick there is nothing to go on with but what it was to go on from.
             if (broken_off := recording if moments else resume) is not None:
-                typer.echo(f"Go on with: understudy run {task} --resume {broken_off}", err=True)
+                typer.echo(f"Go on with: understudy run {again} --resume {broken_off}", err=True)
             raise
     aside = None
     if performed.paused is not None:
@@ -152,7 +153,7 @@ def command(
         if not performed.report.done and aside is None:
             typer.echo(f"Why? understudy explain {performed.recording}")
         if aside is not None:
-            typer.echo(f"Go on with: understudy run {task} --resume {aside}")
+            typer.echo(f"Go on with: understudy run {again} --resume {aside}")
     raise typer.Exit(0 if performed.report.done else 1)
 
 

@@ -7,7 +7,7 @@ middle of it; and a transaction has gone to the disk when it is over.
 
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import closing, contextmanager, suppress
 from pathlib import Path
 from typing import Any, Final
 
@@ -156,9 +156,8 @@ def _make(file: Path, location: str) -> None:
         engine = _engine(URL.create("sqlite", database=str(part)), location)
         with writing(engine) as connection:
             _make_tables(connection)
-        raw = engine.raw_connection()
-        raw.cursor().execute("PRAGMA journal_mode = WAL")  # stays with the file; not within a transaction
-        raw.close()
+        with closing(engine.raw_connection()) as raw:
+            raw.cursor().execute("PRAGMA journal_mode = WAL")  # stays with the file; not within a transaction
         with suppress(FileExistsError):  # somebody else was faster
             os.link(part, file)
     except OSError as error:
@@ -182,7 +181,7 @@ def _told(location: str) -> Iterator[None]:
     try:
         yield
     except DBAPIError as error:
-        said = str(error.orig)
+        said = " ".join(str(error.orig).split())
         mend = next((mend for words, mend in _MENDS if any(word in said.lower() for word in words)), "")
         raise LibraryError(f"{location}: {mend or 'the database refuses'} ({said})") from None
     except SQLAlchemyError as error:

@@ -93,8 +93,7 @@ def regression(
             key = (sitting.kind, sitting.shown, steps.word)
             if key not in read:
                 misfit = _misfit(sitting, steps, network)
-                fitted = misfit is None or before is None or _misfit(sitting, steps, before) is None
-                read[key] = misfit, fitted
+                read[key] = misfit, misfit is None or _fitted(sitting, steps, before)
             misfit, fitted = read[key]
             if misfit is None:
                 fits.append(sitting)
@@ -134,14 +133,26 @@ def _steps(sitting: Sitting, executed: Mapping[int, Network]) -> _Steps:
     )
 
 
+def _fitted(sitting: Sitting, steps: _Steps, before: Network | None) -> bool:
+    """Whether it fitted before the edit; also where that cannot be found out, so that somebody is asked."""
+    try:
+        return before is None or _misfit(sitting, steps, before) is None
+    except LanguageError:
+        return True
+
+
 def _misfit(sitting: Sitting, steps: _Steps, network: Network) -> Misfit | None:
-    """What keeps something from fitting; None if nothing does."""
+    """What keeps something from fitting; None if nothing does.
+
+    Raises:
+        LanguageError: the task can be done in too many orders to be looked at, or in none.
+    """
     shown = sitting.kind == "demonstration"
     # One step may be either of two that do the same; the task gets the benefit of the doubt.
     readings = islice(replays(steps.word, network, shown=shown), _READINGS if shown else 1)
     told = [(tuple(_unheld(steps, found, network, "")) if shown else (), found) for found in readings]
-    if not told:  # the task is never done
-        return Misfit(sitting=sitting, extra=steps.components)
+    if not told:
+        raise LanguageError("the task is never done, so that nothing can be an example of it")
     unheld, found = min(told, key=lambda one: len(one[0]))
     if found.fits and not unheld:
         return None
