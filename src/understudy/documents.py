@@ -8,9 +8,10 @@ import difflib
 import json
 import math
 import os
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, BinaryIO, ClassVar
 
 import yaml
 from pydantic import (
@@ -33,6 +34,7 @@ __all__ = [
     "TextOrNumber",
     "expect_kind",
     "first_fault",
+    "new_file",
     "parse_text",
     "path_text",
     "read_data",
@@ -178,6 +180,7 @@ _USES = {
     "intervals": "use it with `understudy learn`",
     "context": "use it with `understudy run --resume`",
     "experiment": "use it with `understudy experiment`",
+    "archive": "use it with `understudy tasks import`",
 }
 
 
@@ -215,10 +218,21 @@ def write_new(path: Path, text: str, kind: type[DocumentError] = DocumentError) 
     Raises:
         DocumentError: the file exists, or cannot be written.
     """
+    with new_file(path, kind) as file:
+        file.write(text.encode())
+
+
+@contextmanager
+def new_file(path: Path, kind: type[DocumentError] = DocumentError) -> Iterator[BinaryIO]:
+    """A new file, to be written in the block: all of it, if that ends well, or nothing. None is ever overwritten.
+
+    Raises:
+        DocumentError: the file exists, or cannot be written.
+    """
     part = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
-        with part.open("x", encoding="utf-8") as file:
-            file.write(text)
+        with part.open("xb") as file:
+            yield file
         os.link(part, path)  # unlike a rename, it fails where the name is taken
     except FileExistsError:
         raise kind("this file exists already, and nothing is overwritten; name another", source=str(path)) from None

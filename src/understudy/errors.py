@@ -13,6 +13,7 @@ The tree::
     ├── RecordingError       a recording cannot be read or written
     ├── LanguageError        a task's language is too large, or too empty, for what was asked
     ├── LearningError        a demonstration holds nothing that can be learned, or that goes with the task
+    ├── LibraryError         the library cannot be opened, read or written, or has not what was asked for
     ├── PlanningError        a goal cannot be read, or means nothing to the skills
     │   └── NoPlanError      no plan reaches it
     ├── CampaignError        the trials of an experiment cannot be made, kept or gone on with
@@ -29,6 +30,7 @@ __all__ = [
     "ExperimentError",
     "LanguageError",
     "LearningError",
+    "LibraryError",
     "MissingExtraError",
     "NetworkError",
     "NoPlanError",
@@ -96,6 +98,10 @@ class LanguageError(UnderstudyError):
 
 class LearningError(UnderstudyError):
     """A demonstration holds nothing that can be learned, or does not go with the task it is added to."""
+
+
+class LibraryError(UnderstudyError):
+    """The library of tasks cannot be opened, read or written, or has not what was asked for."""
 
 
 class PlanningError(UnderstudyError):

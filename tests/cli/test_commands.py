@@ -54,8 +54,8 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_help_names_every_command(tmp_path: Path) -> None:
     help_ = understudy("--help", folder=tmp_path).stdout
     commands = (
-        "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "experiment",
-        "schema", "doctor",
+        "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "tasks",
+        "experiment", "schema", "doctor",
     )  # fmt: skip
     for command in commands:
         assert f"\n  {command}" in help_
@@ -70,6 +70,7 @@ def test_help_imports_nothing_heavy() -> None:
     code = (
         "import sys, understudy.cli.app as a\n"
         "heavy = {'numpy', 'cv2', 'mujoco', 'matplotlib', 'pydantic', 'rosbags', 'scipy', 'rich.console'}\n"
+        "heavy |= {'sqlalchemy'}\n"
         "print(sorted(heavy & sys.modules.keys()))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -18,6 +18,7 @@ from understudy.cli import (
     generalize,
     language,
     learn,
+    library,
     plan,
     practice,
     run,
@@ -77,6 +78,7 @@ app.command("language", help="In which orders a task can be done; counted, compa
 app.command("experiment", help="Make the trials of an experiment, and tell how often the robot succeeds.")(
     experiment.command
 )
+app.add_typer(library.commands, name="tasks", help="The library: every task with all that it ever was.")
 app.command("schema", help="Print the JSON Schema of a document.")(schema.command)
 app.command("doctor", help="What is installed, what is missing, and how to mend it.")(doctor.command)
 

@@ -20,6 +20,7 @@ _NEEDED = {
     "rosbags": "ROS 2 messages in recordings",
     "matplotlib": "pictures",
     "scipy": "statistics of trials",
+    "sqlalchemy": "the library of tasks",
     "typer": "the command line",
     "rich": "progress bars",
     "pyyaml": "documents",

@@ -6,18 +6,22 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from understudy.cli.keeping import Edit, Shown, keeping
 from understudy.cli.options import (
     DEFAULT_WORKSPACE,
     Everything,
     Json,
+    LibraryPlace,
     MaxDistance,
     MinDuration,
+    Misfits,
     Name,
     Order,
+    Save,
     WorkspaceFolder,
 )
 from understudy.cli.rules import broken_rules
-from understudy.cli.tasks import find_task
+from understudy.cli.tasks import named_task
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -45,6 +49,9 @@ def command(
     max_distance: MaxDistance = 2.0,
     min_duration: MinDuration = 2.0,
     everything: Everything = False,
+    save: Save = None,
+    misfits: Misfits = None,
+    library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
     """Adds demonstrations to a task: what all have in common is done, the rest becomes alternatives (§5)."""
@@ -52,7 +59,7 @@ def command(
     from understudy.figures import describe_difference, describe_task  # noqa: PLC0415
     from understudy.generalization import generalize  # noqa: PLC0415
     from understudy.learning import LearningSettings  # noqa: PLC0415
-    from understudy.network import Task, load_task, save_task  # noqa: PLC0415
+    from understudy.network import Task, save_task  # noqa: PLC0415
     from understudy.sessions import Workspace  # noqa: PLC0415
     from understudy.sessions.pictures import picture_task  # noqa: PLC0415
 
@@ -60,32 +67,41 @@ def command(
         order=order, max_distance_m=max_distance, min_duration_s=min_duration, heed_cues=not everything
     )
     skills = installed_skills()
-    known, network = load_task(find_task(task))
-    differences = []
+    named = named_task(task, library, workspace)
+    keep = keeping(named, save, library, workspace)
+    known, network = named.task, named.network
+    differences, demonstrations = [], []
     for source in sources:
         called, shown = _learned(source, skills, settings)
         found = generalize(network, shown, names=(known.name, called))
         network = found.network
+        demonstrations.append(Shown(task=Task.of(called, shown), file=source))
         differences.append(found.difference)
     name = name or known.name
     path = Workspace(workspace).free(name, ".yaml", ".png", ".svg")
     document = path.with_name(f"{path.name}.yaml")
     added = f"generalised with {', '.join(source.name for source in sources)}"
-    save_task(document, Task.of(name, network, note="; ".join(filter(None, (known.note, added)))))
+    generalized = Task.of(name, network, note="; ".join(filter(None, (known.note, added))))
+    save_task(document, generalized)
     pictures = picture_task(name, network, skills, path)
     broken = broken_rules(network)
+    if not as_json:
+        for difference in differences:
+            typer.echo(describe_difference(difference, network, skills) + "\n")
+        typer.echo(describe_task(name, network, skills))
+        typer.echo(f"\nThe task is in {document}, and drawn in {pictures[0]}")
+    evidence = {"demonstrations": [one.task.name for one in demonstrations]}
+    edit = Edit(task=generalized, cause="generalised", evidence=evidence)
+    kept = keep.edit([*keep.outset(named), edit], demonstrations, misfits=misfits, quiet=as_json)
     if as_json:
         record = _record(name, document, network, differences)
-        typer.echo(json.dumps({**record, "broken_rules": broken}))
+        typer.echo(json.dumps({**record, "broken_rules": broken, **kept.as_record()}))
         return
-    for difference in differences:
-        typer.echo(describe_difference(difference, network, skills) + "\n")
-    typer.echo(describe_task(name, network, skills))
-    typer.echo(f"\nThe task is in {document}, and drawn in {pictures[0]}")
+    kept.say()
     for problem in broken:
         typer.echo(f"It cannot be run as it is: {problem}. Mend the document, or demonstrate it again", err=True)
     if not broken:
-        typer.echo(f"Next: understudy run {document} --world WORLD")
+        typer.echo(f"Next: understudy run {kept.called or document} --world WORLD")
 
 
 def _learned(source: Path, skills: "Mapping[str, Skill]", settings: "LearningSettings") -> "tuple[str, Network]":

@@ -9,14 +9,14 @@ from typing import Annotated, Any
 
 import typer
 
-from understudy.cli.options import Json
-from understudy.cli.tasks import find_task
+from understudy.cli.options import Json, LibraryPlace
+from understudy.cli.tasks import named_task
 
 __all__ = ["command"]
 
 
 def command(
-    task: Annotated[Path, typer.Argument(help="A task document, or a bundled task by its name.")],
+    task: Annotated[Path, typer.Argument(help="A task document, or a task by its name.")],
     words: Annotated[int, typer.Option(min=0, help="Show so many words, the shortest first.")] = 10,
     length: Annotated[
         int | None, typer.Option(min=0, help="Only words of at most so many steps; needed to count without end.")
@@ -35,25 +35,26 @@ def command(
     check: Annotated[
         bool, typer.Option("--check", help="Check it for the rules that every task keeps. Exit code 1 if it does not.")
     ] = False,
+    library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
     """In which orders a task can be done (§3.6)."""
     from understudy.language import Language  # noqa: PLC0415
-    from understudy.network import load_task  # noqa: PLC0415
 
     asked = [given for given in (contains is not None, compare is not None, check, sample is not None) if given]
     if len(asked) > 1:
         raise typer.BadParameter(
             "--contains, --compare, --check and --sample are questions of their own; ask one of them"
         )
-    document, network = load_task(find_task(task))
+    named = named_task(task, library)
+    document, network = named.task, named.network
     longest = math.inf if length is None else length
     if check:
         _check(network, document.name, as_json)
     elif contains is not None:
         _contains(Language(network), network, contains, as_json)
     elif compare is not None:
-        _compare(Language(network), document.name, compare, as_json)
+        _compare(Language(network), document.name, compare, library, as_json)
     else:
         _words(network, document.name, longest, words, sample, seed, as_json)
 
@@ -99,13 +100,12 @@ def _contains(language: Any, network: Any, text: str, as_json: bool) -> None:
     raise typer.Exit(0 if membership.member else 1)
 
 
-def _compare(language: Any, name: str, other: Path, as_json: bool) -> None:
+def _compare(language: Any, name: str, other: Path, library: str | None, as_json: bool) -> None:
     from understudy.figures import compared_in_words  # noqa: PLC0415
     from understudy.language import Language, compare  # noqa: PLC0415
-    from understudy.network import load_task  # noqa: PLC0415
 
-    document, network = load_task(find_task(other))
-    comparison = compare(language, Language(network))
+    named = named_task(other, library)
+    comparison = compare(language, Language(named.network))
     if as_json:
         record = {
             "relation": comparison.relation,
@@ -115,7 +115,7 @@ def _compare(language: Any, name: str, other: Path, as_json: bool) -> None:
         }
         typer.echo(json.dumps(record))
     else:
-        second = document.name if document.name != name else str(other)
+        second = named.task.name if named.task.name != name else str(other)
         typer.echo(compared_in_words(name, second, comparison))
 
 

@@ -6,14 +6,18 @@ from typing import Annotated
 
 import typer
 
+from understudy.cli.keeping import Edit, Shown, keeping
 from understudy.cli.options import (
     DEFAULT_WORKSPACE,
     Everything,
     Json,
+    LibraryPlace,
     MaxDistance,
     MinDuration,
+    Misfits,
     Name,
     Order,
+    Save,
     WorkspaceFolder,
 )
 from understudy.cli.rules import broken_rules
@@ -31,6 +35,9 @@ def command(
     max_distance: MaxDistance = 2.0,
     min_duration: MinDuration = 2.0,
     everything: Everything = False,
+    save: Save = None,
+    misfits: Misfits = None,
+    library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
     """Builds the behavior network of one demonstration (§4.4)."""
@@ -44,16 +51,25 @@ def command(
         order=order, max_distance_m=max_distance, min_duration_s=min_duration, heed_cues=not everything
     )
     skills = installed_skills()
+    keep = keeping(None, save, library, workspace)
     if source.suffix.lower() in (".yaml", ".yml", ".json"):
         demonstration = load_intervals(source)
     else:
         demonstration = recorded_demonstration(source, skills, settings)
     lesson = learn(demonstration, settings)
-    name = name or lesson.demonstration
+    name = name or save or lesson.demonstration
     place = Workspace(workspace)
     path = place.free(name, ".yaml").with_suffix(".yaml")
-    save_task(path, Task.of(name, lesson.network, note=f"learned from {source.name}"))
+    task = Task.of(name, lesson.network, note=f"learned from {source.name}")
+    save_task(path, task)
     broken = broken_rules(lesson.network)
+    if not as_json:
+        typer.echo(describe_task(name, lesson.network, skills))
+        typer.echo(describe_lesson(lesson, skills))
+        typer.echo(f"\nThe task is in {path}")
+    edit = Edit(task=task, cause="learned", evidence={"demonstrations": [lesson.demonstration]})
+    shown = Shown(task=Task.of(lesson.demonstration, lesson.network), file=source, done=demonstration.done)
+    kept = keep.edit([edit], [shown], misfits=misfits, quiet=as_json)
     if as_json:
         record = {
             "task": str(path),
@@ -64,12 +80,10 @@ def command(
             "notes": list(lesson.notes),
             "broken_rules": broken,
         }
-        typer.echo(json.dumps(record))
+        typer.echo(json.dumps(record | kept.as_record()))
         return
-    typer.echo(describe_task(name, lesson.network, skills))
-    typer.echo(describe_lesson(lesson, skills))
-    typer.echo(f"\nThe task is in {path}")
+    kept.say()
     for problem in broken:
         typer.echo(f"It cannot be run as it is: {problem}. Mend the document, or demonstrate it again", err=True)
     if not broken:
-        typer.echo(f"Next: understudy run {path} --world WORLD")
+        typer.echo(f"Next: understudy run {kept.called or path} --world WORLD")

@@ -9,10 +9,13 @@ __all__ = [
     "DEFAULT_WORKSPACE",
     "Everything",
     "Json",
+    "LibraryPlace",
     "MaxDistance",
     "MinDuration",
+    "Misfits",
     "Name",
     "Order",
+    "Save",
     "Seed",
     "WorkspaceFolder",
 ]
@@ -34,3 +37,27 @@ Everything = Annotated[
     bool, typer.Option("--everything", help="Learn all that was observed, also where no word of the teacher's fell.")
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object, for another program to read.")]
+LibraryPlace = Annotated[
+    str | None,
+    typer.Option(
+        "--library",
+        envvar="UNDERSTUDY_LIBRARY",
+        show_default="library.db in the workspace",
+        help="The library of tasks: a file, or the URL of a database.",
+    ),
+]
+Save = Annotated[
+    str | None,
+    typer.Option(
+        "--save", metavar="TASK", help="Keep it in the library, as the next revision of this task, or its first."
+    ),
+]
+Misfits = Annotated[
+    bool | None,
+    typer.Option(
+        "--yes/--refuse-misfits",
+        show_default=False,
+        help="If something no longer fits the edited task, take the edit, or keep it as a proposal only. Left out, you"
+        " are asked; where nobody can be, it is a proposal.",
+    ),
+]

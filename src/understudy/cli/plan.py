@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from understudy.cli.options import DEFAULT_WORKSPACE, Json, Name, WorkspaceFolder
+from understudy.cli.keeping import Edit, keeping
+from understudy.cli.options import DEFAULT_WORKSPACE, Json, LibraryPlace, Misfits, Name, Save, WorkspaceFolder
 from understudy.cli.rules import broken_rules
 from understudy.cli.worlds import find_world
 
@@ -37,6 +38,9 @@ def command(
     ] = None,
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     name: Name = None,
+    save: Save = None,
+    misfits: Misfits = None,
+    library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
     """Plans a task from what the skills need and give (§3.3.1). Exit code 1 if there is no plan."""
@@ -50,7 +54,8 @@ def command(
 
     skills = installed_skills()
     problem = planning_problem(goal, skills, EVERYTHING if world is None else _things(world), given=given)
-    name = name or problem.name
+    keep = keeping(None, save, library, workspace)
+    name = name or save or problem.name
     written: list[Path] = []
     if pddl is not None:
         written += write_pddl(pddl, problem.operators(problem.goal), problem.start, problem.goal, name=name)
@@ -66,8 +71,15 @@ def command(
     network = plan.network
     stem = Workspace(workspace).free(name, ".yaml", ".png", ".svg")
     path = stem.with_name(f"{stem.name}.yaml")
-    save_task(path, Task.of(name, network, note=f"planned for {problem}"))
+    task = Task.of(name, network, note=f"planned for {problem}")
+    save_task(path, task)
     written += [path, *picture_task(name, network, skills, stem)]
+    if not as_json:
+        typer.echo(describe_task(name, network, skills))
+        typer.echo()
+        _say_written(written)
+    edit = Edit(task=task, cause="planned", evidence={"goal": str(problem)})
+    kept = keep.edit([edit], misfits=misfits, quiet=as_json)
     if as_json:
         ids = [component.id for component in network.components]
         record = {
@@ -81,14 +93,12 @@ def command(
             ],
             "written": list(map(str, written)),
         }
-        typer.echo(json.dumps(record))
+        typer.echo(json.dumps(record | kept.as_record()))
         return
-    typer.echo(describe_task(name, network, skills))
-    typer.echo()
-    _say_written(written)
+    kept.say()
     # What is given at the start, as an empty gripper is, no rule knows of.
     unchecked = " --unchecked" if broken_rules(network) else ""
-    typer.echo(f"Next: understudy run {path} --world {world or 'WORLD'}{unchecked}")
+    typer.echo(f"Next: understudy run {kept.called or path} --world {world or 'WORLD'}{unchecked}")
 
 
 def _say_written(files: list[Path]) -> None:

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from understudy.cli.options import DEFAULT_WORKSPACE, Json, Seed, WorkspaceFolder
+from understudy.cli.keeping import Ran, keeping
+from understudy.cli.options import DEFAULT_WORKSPACE, Json, LibraryPlace, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
 from understudy.cli.rules import broken_rules
-from understudy.cli.tasks import find_task
+from understudy.cli.tasks import named_task
 from understudy.cli.worlds import absent_colors, find_world
 from understudy.errors import NetworkError
 
@@ -22,7 +23,9 @@ __all__ = ["command"]
 
 
 def command(
-    task: Annotated[Path, typer.Argument(help="A task document, or a bundled task by its name.")],
+    task: Annotated[
+        Path, typer.Argument(help="A task document, or a task by its name; fetch@3 is its third revision.")
+    ],
     world: Annotated[str | None, typer.Option("--world", "-w", help="A world document, or a bundled one.")] = None,
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     seed: Seed = None,
@@ -50,6 +53,7 @@ def command(
     unchecked: Annotated[
         bool, typer.Option("--unchecked", help="Run it even if it can break a rule (understudy language TASK --check).")
     ] = False,
+    library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
     """Executes a task. Exit code 0 if it was done, 1 if not, or not yet."""
@@ -57,17 +61,17 @@ def command(
     from understudy.documents import write_new  # noqa: PLC0415
     from understudy.execution import Tally, compile_network  # noqa: PLC0415
     from understudy.figures import goal_in_words, numbers_of  # noqa: PLC0415
-    from understudy.network import load_task  # noqa: PLC0415
     from understudy.sessions import Workspace, perform, take_up  # noqa: PLC0415
     from understudy.sim import rearranged  # noqa: PLC0415
 
-    given, task = task, find_task(task)
-    document, network = load_task(task)
+    named = named_task(task, library, workspace)
+    document, network = named.task, named.network
+    again = task if named.kept is None else named.source  # the task's name may stand for another revision then
     skills = installed_skills()
-    compile_network(network, skills, source=str(task))  # what does not fit is refused with the file's name
+    compile_network(network, skills, source=named.source)  # what does not fit is refused with the file's name
     broken = [] if unchecked or resume is not None else broken_rules(network)
     if broken:
-        raise NetworkError(f"{broken[0]}. Mend it, or run it as it is with --unchecked", source=str(task))
+        raise NetworkError(f"{broken[0]}. Mend it, or run it as it is with --unchecked", source=named.source)
     past = None
     if resume is not None:
         if (world, rearrange, seed) != (None, None, None):
@@ -84,6 +88,7 @@ def command(
             room = rearranged(room, rearrange)
     for color in absent_colors(network, room, skills):
         typer.echo(f"Nothing in this world is {color}; the robot will search for it in vain", err=True)
+    keep = keeping(named, None, library, workspace)
     place = Workspace(workspace)
     stem = place.free(f"{document.name} run", ".mcap", ".json", ".context.json")
     recording = stem.with_suffix(".mcap")
@@ -113,7 +118,7 @@ def command(
         except KeyboardInterrupt:
             # Before its first tick there is nothing to go on with but what it was to go on from.
             if (broken_off := recording if moments else resume) is not None:
-                typer.echo(f"Go on with: understudy run {given} --resume {broken_off}", err=True)
+                typer.echo(f"Go on with: understudy run {again} --resume {broken_off}", err=True)
             raise
     aside = None
     if performed.paused is not None:
@@ -122,9 +127,7 @@ def command(
     record = performed.as_record() | {"rearranged": rearrange, "paused": str(aside) if aside is not None else None}
     report = stem.with_suffix(".json")
     write_new(report, json.dumps(record, indent=2) + "\n")
-    if as_json:
-        typer.echo(json.dumps(record))
-    else:
+    if not as_json:
         numbers = numbers_of(network)
         for path, time_s in performed.report.achieved:
             number = "" if network.flat else f"{numbers[path]}. "
@@ -134,10 +137,23 @@ def command(
             hits = ", ".join(f"{count} × {what}" for what, count in performed.verdict.collisions.items())
             typer.echo(f"The robot bumped into things: {hits}")
         typer.echo(f"Recorded in {performed.recording}, report in {report}")
+    ran = Ran(
+        kind="run",
+        recording=recording,
+        name=document.name,
+        achieved=tuple(path for path, _ in performed.report.achieved),
+        done=performed.report.done,
+        outcome=_ending(performed, tally, limit, aside),
+    )
+    kept = keep.run(ran)
+    if as_json:
+        typer.echo(json.dumps(record | kept.as_record()))
+    else:
+        kept.say()
         if not performed.report.done and aside is None:
             typer.echo(f"Why? understudy explain {performed.recording}")
         if aside is not None:
-            typer.echo(f"Go on with: understudy run {given} --resume {aside}")
+            typer.echo(f"Go on with: understudy run {again} --resume {aside}")
     raise typer.Exit(0 if performed.report.done else 1)
 
 

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from understudy.cli.options import Json
+from understudy.cli.options import Json, LibraryPlace
 from understudy.cli.rules import broken_rules
-from understudy.cli.tasks import find_task
+from understudy.cli.tasks import named_task
 
 if TYPE_CHECKING:
     from understudy.recording import Outcome
@@ -30,7 +30,9 @@ _Picture = Annotated[
 
 
 def command(
-    source: Annotated[Path, typer.Argument(help="A task document, a bundled task, or a recording (.mcap).")],
+    source: Annotated[
+        Path, typer.Argument(help="A task document, a bundled task, a task of the library, or a recording (.mcap).")
+    ],
     picture: _Picture = None,
     depth: Annotated[
         int | None,
@@ -39,6 +41,7 @@ def command(
         ),
     ] = None,
     dot: Annotated[bool, typer.Option("--dot", help="Print the task's network as Graphviz DOT.")] = False,
+    library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
     """A task in plain words, as a picture or as DOT; or what a recording holds, and its pictures."""
@@ -53,7 +56,7 @@ def command(
     if recorded:
         _recording(source, stem, as_json)
     else:
-        _task(source, stem, depth, dot, as_json)
+        _task(source, stem, depth, library, dot, as_json)
 
 
 def _stem(picture: Path) -> Path:
@@ -69,14 +72,14 @@ def _stem(picture: Path) -> Path:
     return picture.with_suffix("") if suffix in _WRITTEN else picture
 
 
-def _task(source: Path, picture: Path | None, depth: int | None, dot: bool, as_json: bool) -> None:
+def _task(source: Path, picture: Path | None, depth: int | None, library: str | None, dot: bool, as_json: bool) -> None:
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.errors import UnderstudyError  # noqa: PLC0415
     from understudy.execution import compile_network  # noqa: PLC0415
     from understudy.figures import describe_task, to_dot  # noqa: PLC0415
-    from understudy.network import load_task  # noqa: PLC0415
 
-    task, network = load_task(find_task(source))
+    named = named_task(source, library)
+    task, network = named.task, named.network
     skills = installed_skills()
     if dot:
         typer.echo(to_dot(network, name=task.name, skills=skills), nl=False)

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from understudy.figures.words_goals import goal_in_words
     from understudy.figures.words_language import compared_in_words, describe_language, membership_in_words
     from understudy.figures.words_lesson import describe_lesson
+    from understudy.figures.words_regression import describe_misfit, describe_regression, sittings_in_words
 
 __all__ = [
     "Layout",
@@ -36,6 +37,8 @@ __all__ = [
     "describe_difference",
     "describe_language",
     "describe_lesson",
+    "describe_misfit",
+    "describe_regression",
     "describe_task",
     "draw_arena",
     "draw_network",
@@ -49,6 +52,7 @@ __all__ = [
     "membership_in_words",
     "numbers_of",
     "save",
+    "sittings_in_words",
     "to_dot",
 ]
 
@@ -70,6 +74,7 @@ _HOMES = {
     "words_goals": ("goal_in_words",),
     "words_language": ("compared_in_words", "describe_language", "membership_in_words"),
     "words_lesson": ("describe_lesson",),
+    "words_regression": ("describe_misfit", "describe_regression", "sittings_in_words"),
 }
 
 
