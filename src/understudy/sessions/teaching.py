@@ -13,7 +13,7 @@ from understudy.recording import Recorder, read_recording
 from understudy.robot import Journal
 from understudy.sessions.recorded import spec_of
 from understudy.sessions.stage import Stage, Verdict
-from understudy.sim import World
+from understudy.sim import Slip, World
 
 __all__ = ["Taught", "recorded_demonstration", "teach"]
 
@@ -29,6 +29,7 @@ class Taught:
         verdict: the referee's.
         finished: DONE was said; otherwise the time was over.
         complaints: what the teacher waited for in vain, and where a demonstration without DONE got stuck.
+        slips: where the teacher departed from the script; the truth, of which the robot knows nothing.
     """
 
     demonstration: Demonstration
@@ -37,6 +38,7 @@ class Taught:
     verdict: Verdict
     finished: bool
     complaints: tuple[str, ...]
+    slips: tuple[Slip, ...]
 
 
 def teach(
@@ -98,6 +100,7 @@ def teach(
         verdict=stage.verdict(),
         finished=demonstration.done,
         complaints=tuple(complaints),
+        slips=stage.simulation.teacher_slips,
     )
 
 

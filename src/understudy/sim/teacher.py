@@ -1,10 +1,13 @@
 """The scripted teacher: leads a robot as Appendix A.5 asks a person to, and speaks the cues.
 
 The teacher stays in the robot's view, does not go farther from it than it can see, waits when it falls behind,
-and steps back in front of it when it looks elsewhere.
+and steps back in front of it when it looks elsewhere. Teachers of other habits do less of that, and play the script
+with slips (:mod:`understudy.sim.slips`).
 """
 
 import math
+
+import numpy as np
 
 from understudy.clock import CONTROL_PERIOD_S
 from understudy.geometry import Point
@@ -12,14 +15,14 @@ from understudy.robot import Cue
 from understudy.sim.gait import Gait
 from understudy.sim.model import ArenaModel
 from understudy.sim.script import Saying, ScriptItem, Waiting, Walk
+from understudy.sim.slips import slipped
 from understudy.sim.surroundings import Surroundings
 from understudy.sim.truth import Truth
 
 __all__ = ["ScriptedTeacher"]
 
-_STANDS_AT_M = 1.2
-"""Distance from the robot at which the teacher waits; §A.5 allows 1.5 m."""
-_SLOWS_AT_M = 0.9
+_SLOWS_OVER_M = 1.2 - 0.9
+"""The last part of the lead, over which the teacher slows down to a stand."""
 _LOST_AT = math.radians(70)
 _FOUND_AT = math.radians(35)
 _LOST_AFTER_S = 0.5
@@ -37,28 +40,38 @@ class ScriptedTeacher:
     Args:
         arena: the world with its teacher.
         truth: what the teacher sees.
+        random: of the teacher's slips.
     """
 
-    def __init__(self, arena: ArenaModel, truth: Truth) -> None:
+    def __init__(self, arena: ArenaModel, truth: Truth, random: np.random.Generator) -> None:
         document = arena.world.teacher
         assert document is not None, "this world has no teacher"
         self._truth = truth
         self._surroundings = Surroundings(arena, truth)
-        self._script: tuple[ScriptItem, ...] = document.script
+        self._habits = document.habits
         names = [robot.name for robot in arena.world.robots]
         self._led = names.index(document.leads) if document.leads is not None else 0
-        self.gait = Gait(Point(*document.at), document.radius, document.speed)
+        self.gait = Gait(Point(*document.at), document.radius, document.speed * document.habits.pace)
+        self._script, self.slips = slipped(
+            document.script,
+            document.habits,
+            random,
+            start=self.gait.place,
+            speed=self.gait.speed,
+            free=lambda spot: self._surroundings.free(spot, document.radius),
+        )
         self.heading = math.radians(document.heading_deg)
         self._driven: Point | None = None
         self._now = 0.0
         self._item = 0
         self._done = not self._script
-        self._begun = 0.0
+        self._begun, self._from = 0.0, self.gait.place
         self._ripe: float | None = None  # since when the word may be said
         self._said = False
         self._lost_for = 0.0
         self._returning = False
         self._blocked_for = 0.0
+        self._looked, self._seen = -math.inf, Point(0.0, 0.0)
         self.complaints: list[tuple[float, str]] = []
         """Each time that the teacher went on without what it had waited for: when, and a sentence."""
 
@@ -109,7 +122,7 @@ class ScriptedTeacher:
 
     def _next(self) -> None:
         self._item += 1
-        self._begun = self._now
+        self._begun, self._from = self._now, self.gait.place
         self._ripe, self._said, self._blocked_for = None, False, 0.0
 
     def _play(self, item: ScriptItem, said: list[Cue]) -> bool:
@@ -175,15 +188,34 @@ class ScriptedTeacher:
         """Where the teacher is, in the robot's frame."""
         return self._truth.robot_pose(self._led).to_local(self.gait.place)
 
+    def _look_back(self) -> Point:
+        """Where the teacher was in the robot's frame at the last look at it; whoever comes back, looks all the time."""
+        if self._returning or self._now - self._looked >= self._habits.looks_back - 1e-9:
+            self._looked, self._seen = self._now, self._from_robot()
+        return self._seen
+
+    def _impatient(self, walk: Walk) -> bool:
+        """Whether a walk takes so much longer than without the robot that the teacher goes on without it."""
+        patience = self._habits.patience
+        if patience is None or self._blocked_for >= _BLOCKED_AFTER_S:
+            return False
+        lost_s = self._now - self._begun - self._from.distance_to(Point(*walk.to)) / self.gait.speed
+        if lost_s <= patience:
+            return False
+        self._complain(f"went on without the robot, which cost {lost_s:.0f} s on the walk {walk}")
+        return True
+
     def _lead(self, walk: Walk, said: list[Cue]) -> bool:
         if walk.say is not None and not self._said:
             # On the way the patience has not begun to run out; at the end of it, it has.
             self._say(walk.say, said, self._now - self._begun if self._arrived(Point(*walk.to), True) else 0.0)
         speaking = walk.say is not None and not self._said
-        me = self._from_robot()
+        me = self._look_back()
         self._lost_for = self._lost_for + CONTROL_PERIOD_S if abs(me.bearing) > _LOST_AT else 0.0
         if self._lost_for >= _LOST_AFTER_S:
             self._returning = True
+        if self._impatient(walk):
+            self._returning, self._blocked_for = False, _BLOCKED_AFTER_S
         if self._returning:
             spot = self._spot_in_view()
             if abs(me.bearing) < _FOUND_AT or spot is None:
@@ -191,7 +223,7 @@ class ScriptedTeacher:
             else:
                 self.gait.toward(spot, 1.0, self._surroundings.near(self.gait.place), stop_there=True)
                 return False
-        haste = min(1.0, max(0.0, (_STANDS_AT_M - me.distance) / (_STANDS_AT_M - _SLOWS_AT_M)))
+        haste = min(1.0, max(0.0, (self._habits.lead - me.distance) / _SLOWS_OVER_M))
         if self._lost_for > 0.0:
             haste *= 0.5
         onward = self._item + 1 < len(self._script) and self._script[self._item + 1].walk is not None

@@ -13,6 +13,7 @@ from understudy.documents import Part, expect_kind, first_fault, read_data
 from understudy.errors import WorldError
 from understudy.geometry import Point, Pose
 from understudy.robot import TEACHER_COLOR, Color
+from understudy.sim.habits import Habits
 from understudy.sim.layout import check_layout
 from understudy.sim.noise import NoiseLevels
 from understudy.sim.quantities import Degrees, Length, Place, plainly, two_numbers
@@ -150,6 +151,7 @@ class Teacher(Part):
         radius: metres; legs close together make a uniform target (A.5).
         height: metres.
         leads: name of the robot that is led; the first one if left out.
+        habits: how well the teacher teaches; carefully, if left out.
         script: what the teacher does, in this order.
     """
 
@@ -159,6 +161,7 @@ class Teacher(Part):
     radius: Length = 0.15
     height: Length = 1.7
     leads: Name | None = None
+    habits: Habits = Habits()
     script: tuple[ScriptItem, ...] = ()
 
 
