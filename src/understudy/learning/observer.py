@@ -20,6 +20,9 @@ __all__ = ["Observer"]
 
 SALIENT = (Cue.HERE, Cue.TAKE, Cue.DROP)
 
+TAKE_BACK_S = 10.0
+"""So long after a word BAD takes it back (A.6)."""
+
 Kind = TypeVar("Kind", bound=tuple[str, tuple[tuple[str, ParameterValue], ...]])
 """An :class:`Instance`, or the skills' own pair of behavior and discrete parameters."""
 
@@ -78,7 +81,8 @@ class Observer:
 
     Only what lies between START and DONE counts. A teacher's slip of the tongue never stops the robot: a word that
     cannot be meant (a second START, DONE too early) is ignored and noted. Saliency is decided afterwards, by
-    :func:`~understudy.learning.select`, from the times of the words that are kept here.
+    :func:`~understudy.learning.select`, from the times of the words that are kept here. BAD takes back the last word
+    that was not taken back yet: what it pointed at does not belong to the task.
 
     Args:
         settings: ``merge_gap_s``, ``begin`` and ``end`` matter here.
@@ -93,6 +97,7 @@ class Observer:
         self._open: dict[Instance, Track] = {}
         self._latest: dict[Instance, Track] = {}
         self._cues: list[tuple[float, Cue]] = []
+        self._taken_back: list[tuple[float, Cue]] = []
         self._notes: list[str] = []
         self._done = False
 
@@ -162,6 +167,7 @@ class Observer:
             span=Interval(self._begun_s, self._now_s),
             observations=self.observations,
             cues=tuple(self._cues),
+            taken_back=tuple(self._taken_back),
             notes=tuple(self._notes),
             done=self._done,
         )
@@ -176,6 +182,8 @@ class Observer:
                 self._close_all()
             case c, Phase.WATCHING if c in SALIENT:
                 self._cues.append((time_s, c))
+            case Cue.BAD, Phase.WATCHING:
+                self._take_back(time_s)
             case c, Phase.WAITING if c == end:
                 self._notes.append(f"{c} at {time_s:.1f} s came before {begin}; it was ignored.")
             case c, Phase.WATCHING if c == begin:
@@ -184,6 +192,16 @@ class Observer:
                 self._notes.append(f"{c} at {time_s:.1f} s came after {end}; record it as a demonstration of its own.")
             case _:
                 pass  # Words outside the demonstration, and those of practice, say nothing here.
+
+    def _take_back(self, time_s: float) -> None:
+        last = next((word for word in reversed(self._cues) if word not in self._taken_back), None)
+        if last is None or micros(time_s) - micros(last[0]) > micros(TAKE_BACK_S):
+            self._notes.append(
+                f"BAD at {time_s:.1f} s came after no word of the last {TAKE_BACK_S:g} s; it was ignored."
+            )
+            return
+        self._taken_back.append(last)
+        self._notes.append(f"{last[1]} at {last[0]:.1f} s was taken back.")
 
     def _begin(self, time_s: float, instance: Instance, values: Mapping[str, float]) -> Track:
         """A new observation, or the last one of its kind again when the gap was short (§4.4.1, ε)."""

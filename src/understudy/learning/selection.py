@@ -9,7 +9,8 @@ In this order, and the first reason that applies is the one reported:
 3. *Saliency*, when the teacher said HERE, TAKE or DROP at all (``heed_cues``). An observation is salient when
 
    * one of these words falls into its interval, by ``cue_grace_s`` at most before or after it. Whatever the word:
-     TAKE and DROP say "relevant" as well as what to do, so the target beside the box is salient, too; or
+     TAKE and DROP say "relevant" as well as what to do, so the target beside the box is salient, too. A word that the
+     teacher took back (BAD) does not count here; or
    * its goal is what the word brings about (``cue_effects``): TAKE comes before the robot holds the box, so the first
      words of a ``PickUp`` lie before its interval. It counts when it came no more than ``cue_delay_s`` before the onset
      and was the last of its kind to come before it. The same for DROP and ``Drop``; or
@@ -25,9 +26,10 @@ from dataclasses import dataclass, replace
 from understudy.learning.instants import micros
 from understudy.learning.observations import Demonstration, Observed
 from understudy.learning.settings import DISTANCE, LearningSettings
+from understudy.network import Interval
 from understudy.robot.cues import Cue
 
-__all__ = ["Dropped", "Selection", "select"]
+__all__ = ["Dropped", "Selection", "falls_on", "seen_too_far_off", "select"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,8 +67,20 @@ def select(demonstration: Demonstration, settings: LearningSettings) -> Selectio
         else:
             kept.append(observed)
     used = {cue for observed in kept for cue in observed.cues}
-    unused = tuple(cue for cue in demonstration.cues if cue not in used)
+    unused = tuple(cue for cue in demonstration.cues if cue not in used and cue not in demonstration.taken_back)
     return Selection(kept=tuple(kept), dropped=tuple(dropped), unused_cues=unused)
+
+
+def falls_on(time_s: float, interval: Interval, settings: LearningSettings) -> bool:
+    """Whether a word falls into an interval, or at most ``cue_grace_s`` before or after it."""
+    start, end = (micros(moment) for moment in interval)
+    grace = micros(settings.cue_grace_s)
+    return start - grace <= micros(time_s) <= end + grace
+
+
+def seen_too_far_off(observed: Observed, settings: LearningSettings) -> bool:
+    """Whether what was observed was last seen farther away than what was visited."""
+    return observed.values.get(DISTANCE, 0.0) > settings.max_distance_m
 
 
 def _reason_against(observed: Observed, demonstration: Demonstration, settings: LearningSettings) -> str:
@@ -81,9 +95,8 @@ def _reason_against(observed: Observed, demonstration: Demonstration, settings: 
         too_short = micros(interval.end) - micros(interval.start) < micros(settings.min_duration_s)
         if too_short and not done_at_a_word:
             return f"seen for {interval.duration:.1f} s only (at least {settings.min_duration_s:g} s)"
-        distance = observed.values.get(DISTANCE, 0.0)
-        if distance > settings.max_distance_m:
-            return f"{distance:.1f} m away (at most {settings.max_distance_m:g} m)"
+        if seen_too_far_off(observed, settings):
+            return f"{observed.values[DISTANCE]:.1f} m away (at most {settings.max_distance_m:g} m)"
     lasted_to_the_end = micros(span.end) - micros(interval.end) <= micros(settings.tolerance_s)
     unchanging = not observed.values and begun_at_start and lasted_to_the_end and not demonstration.annotated
     if unchanging and not settings.keep_unchanging:
@@ -99,9 +112,9 @@ def _words_on(
     observed: Observed, demonstration: Demonstration, settings: LearningSettings
 ) -> tuple[tuple[float, Cue], ...]:
     """The words that make the observation salient, in the order of time."""
-    start, end = (micros(moment) for moment in observed.interval)
-    grace = micros(settings.cue_grace_s)
-    found = {(time, cue) for time, cue in demonstration.cues if start - grace <= micros(time) <= end + grace}
+    start = micros(observed.interval.start)
+    pointing = (word for word in demonstration.cues if word not in demonstration.taken_back)
+    found = {(time, cue) for time, cue in pointing if falls_on(time, observed.interval, settings)}
     for cue, behaviors in settings.cue_effects.items():
         if observed.instance.behavior in behaviors:
             said = sorted(time for time, word in demonstration.cues if word == cue)

@@ -6,6 +6,8 @@ with slips (:mod:`understudy.sim.slips`).
 """
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +15,7 @@ from understudy.clock import CONTROL_PERIOD_S
 from understudy.geometry import Point
 from understudy.robot import Cue
 from understudy.sim.gait import Gait
+from understudy.sim.listening import Listener, place_of
 from understudy.sim.model import ArenaModel
 from understudy.sim.script import Saying, ScriptItem, Waiting, Walk
 from understudy.sim.slips import slipped
@@ -30,6 +33,9 @@ _NEAR_M, _FACING = 0.9, math.radians(30)
 _PASS_M, _ARRIVED_M = 0.12, 0.03
 _BLOCKED_AFTER_S = 3.0
 """Standing before something that blocks the way, the teacher takes the walk for finished."""
+_IN_SIGHT_M = 2.0
+"""What is farther away than this, the robot does not take note of."""
+_SAYS_AGAIN_AFTER_S = 2.0
 _LEADING_M = (0.75, 0.95)
 _LEADING_BEARINGS = tuple(math.radians(a) for a in (0, 20, -20, 40, -40, 60, -60))
 
@@ -48,11 +54,13 @@ class ScriptedTeacher:
         assert document is not None, "this world has no teacher"
         self._truth = truth
         self._surroundings = Surroundings(arena, truth)
-        self._habits = document.habits
+        self._habits, self._meant = document.habits, document.script
+        targets = [(target.color, Point(*target.at)) for target in arena.world.targets]
+        self._listener = Listener(document.script, targets, document.habits.heeds, random)
         names = [robot.name for robot in arena.world.robots]
         self._led = names.index(document.leads) if document.leads is not None else 0
         self.gait = Gait(Point(*document.at), document.radius, document.speed * document.habits.pace)
-        self._script, self.slips = slipped(
+        played, self.slips = slipped(
             document.script,
             document.habits,
             random,
@@ -61,6 +69,12 @@ class ScriptedTeacher:
             free=lambda spot: self._surroundings.free(spot, document.radius),
         )
         self.heading = math.radians(document.heading_deg)
+        self._script = list(played)
+        self._starts = {0: self.gait.place}  # of the items that were begun: where the teacher stood
+        self._back: ScriptItem | None = None  # a walk back, before the item is played again
+        self._answers: list[Cue] = []
+        self._again: float | None = None  # when the last word will be said once more
+        self._called = False
         self._driven: Point | None = None
         self._now = 0.0
         self._item = 0
@@ -92,23 +106,59 @@ class ScriptedTeacher:
     @property
     def at(self) -> str:
         """The script's item that is being played, ``script[3]: walk to (2.4, 1.4)``; empty at the script's end."""
-        return "" if self._at_end else f"script[{self._item}]: {self._script[self._item]}"
+        return "" if self._at_end else f"script[{self._item}]: {self._current}"
+
+    @property
+    def _current(self) -> ScriptItem:
+        return self._back or self._script[self._item]
 
     def drive(self, velocity: Point | None) -> None:
         """Walks by hand at this velocity (m/s, arena's frame) instead of by the script, or, at None, by the script."""
         self._driven = velocity
 
+    def hear(self, remark: Mapping[str, Any]) -> None:
+        """Listens to what the robot says aloud, and does what such a teacher does then.
+
+        Args:
+            remark: an event of the robot's, see :class:`understudy.learning.Remarks`.
+        """
+        item = self._listener.item
+        place = place_of(self._meant[item])
+        seen = self._truth.robot_pose(self._led).to_local(place) if place is not None else Point(0.0, 0.0)
+        behind = seen.x < 0.0 or seen.distance > _IN_SIGHT_M
+        answers, reaction = self._listener.hears(remark, behind=behind)
+        self._answers += answers
+        match reaction:
+            case "come back":
+                self._called = self._returning = True
+            case "say again":
+                self._again = self._now + _SAYS_AGAIN_AFTER_S
+            case "lead again":
+                self._lead_again(item)
+
+    def _lead_again(self, item: int) -> None:
+        """Goes back to where an item began, to play it from there once more, as it was meant."""
+        if self._meant[item].walk is None:
+            self._again = self._now + _SAYS_AGAIN_AFTER_S  # there is nowhere to go back to
+            return
+        self._back = ScriptItem(walk=Walk(to=tuple(self._starts[item])))
+        self._script[item] = self._meant[item]
+        self._start_item(item)
+
     def advance(self, now_s: float) -> tuple[Cue, ...]:
         """One control period: moves the teacher, and returns what was said in it."""
         self._now = now_s
         self._done = self._at_end
-        said: list[Cue] = []
+        said, self._answers = self._answers, []
+        if self._again is not None and now_s >= self._again:
+            self._again = None
+            said.append(self._listener.word)
         if self._driven is not None:
             self.gait.at_velocity(self._driven, self._surroundings.near(self.gait.place))
         else:
-            while not self._at_end and self._play(self._script[self._item], said):
+            while not self._at_end and self._play(self._current, said):
                 self._next()
-            if self._at_end or not self._walking(self._script[self._item]):
+            if self._at_end or not self._walking(self._current):
                 self._stand()
         if not self.gait.standing:
             self.heading = self.gait.velocity.bearing
@@ -121,7 +171,13 @@ class ScriptedTeacher:
         return item.walk is not None or item.step_aside is not None
 
     def _next(self) -> None:
-        self._item += 1
+        if self._back is None:
+            self._starts[self._item + 1] = self.gait.place
+        self._start_item(self._item + (self._back is None))
+        self._back = None
+
+    def _start_item(self, item: int) -> None:
+        self._item = item
         self._begun, self._from = self._now, self.gait.place
         self._ripe, self._said, self._blocked_for = None, False, 0.0
 
@@ -149,7 +205,8 @@ class ScriptedTeacher:
         if self._ripe is None or self._now - self._ripe < saying.delay - 1e-9:
             return False
         said.append(saying.word)
-        self._said = True
+        self._listener.spoke(self._item, saying.word)
+        self._said, self._again = True, None
         return True
 
     def _may_say(self, saying: Saying) -> bool:
@@ -215,18 +272,21 @@ class ScriptedTeacher:
         if self._lost_for >= _LOST_AFTER_S:
             self._returning = True
         if self._impatient(walk):
-            self._returning, self._blocked_for = False, _BLOCKED_AFTER_S
+            self._returning = self._called = False
+            self._blocked_for = _BLOCKED_AFTER_S
         if self._returning:
             spot = self._spot_in_view()
-            if abs(me.bearing) < _FOUND_AT or spot is None:
-                self._returning = False
+            if spot is None or (abs(me.bearing) < _FOUND_AT and not (self._called and me.distance > self._habits.lead)):
+                self._returning = self._called = False
             else:
                 self.gait.toward(spot, 1.0, self._surroundings.near(self.gait.place), stop_there=True)
                 return False
         haste = min(1.0, max(0.0, (self._habits.lead - me.distance) / _SLOWS_OVER_M))
         if self._lost_for > 0.0:
             haste *= 0.5
-        onward = self._item + 1 < len(self._script) and self._script[self._item + 1].walk is not None
+        onward = (
+            self._back is None and self._item + 1 < len(self._script) and self._script[self._item + 1].walk is not None
+        )
         arrived = self._go(Point(*walk.to), haste=haste, stop_there=speaking or not onward)
         return arrived and not speaking
 
