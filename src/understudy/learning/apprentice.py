@@ -220,11 +220,13 @@ def demonstrate(
         nonlocal begun_s
         begun_s = observation.time_s if begun_s is None else begun_s
         percepts = perception.update(observation)
-        observer.step(observation.time_s, evaluate(percepts, skills), observation.cues)
+        evaluated = evaluate(percepts, skills)
+        observer.step(observation.time_s, evaluated, observation.cues)
         command, news = apprentice.step(percepts, observation.cues)
         said = remarks.step(
             observation.time_s,
             observer,
+            evaluated,
             observation.cues,
             looking=apprentice.mode == "following",
             in_view=percepts.teacher is not None,

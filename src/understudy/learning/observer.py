@@ -12,6 +12,7 @@ import numpy as np
 from understudy.errors import LearningError
 from understudy.learning.instants import micros
 from understudy.learning.observations import Demonstration, History, Instance, Observed
+from understudy.learning.pointing import pointed_at
 from understudy.learning.settings import DISTANCE, LearningSettings
 from understudy.network import Interval, ParameterValue
 from understudy.robot.cues import Cue
@@ -81,8 +82,8 @@ class Observer:
 
     Only what lies between START and DONE counts. A teacher's slip of the tongue never stops the robot: a word that
     cannot be meant (a second START, DONE too early) is ignored and noted. Saliency is decided afterwards, by
-    :func:`~understudy.learning.select`, from the times of the words that are kept here. BAD takes back the last word
-    that was not taken back yet: what it pointed at does not belong to the task.
+    :func:`~understudy.learning.select`, from the times of the words that are kept here. BAD takes back what the last
+    word pointed at, one thing for each BAD, the farthest first: it does not belong to the task.
 
     Args:
         settings: ``merge_gap_s``, ``begin`` and ``end`` matter here.
@@ -97,7 +98,7 @@ class Observer:
         self._open: dict[Instance, Track] = {}
         self._latest: dict[Instance, Track] = {}
         self._cues: list[tuple[float, Cue]] = []
-        self._taken_back: list[tuple[float, Cue]] = []
+        self._taken_back: list[tuple[float, Cue, Instance]] = []
         self._notes: list[str] = []
         self._done = False
 
@@ -193,15 +194,19 @@ class Observer:
             case _:
                 pass  # Words outside the demonstration, and those of practice, say nothing here.
 
+    def pointed_at(self, time_s: float, cue: Cue) -> tuple[Observed, ...]:
+        """What a word points at, as far as it was seen by now, the nearest first, without what was taken back."""
+        things = pointed_at(time_s, self.observations, self.settings)
+        return tuple(one for one in things if (time_s, cue, one.instance) not in self._taken_back)
+
     def _take_back(self, time_s: float) -> None:
-        last = next((word for word in reversed(self._cues) if word not in self._taken_back), None)
-        if last is None or micros(time_s) - micros(last[0]) > micros(TAKE_BACK_S):
-            self._notes.append(
-                f"BAD at {time_s:.1f} s came after no word of the last {TAKE_BACK_S:g} s; it was ignored."
-            )
-            return
-        self._taken_back.append(last)
-        self._notes.append(f"{last[1]} at {last[0]:.1f} s was taken back.")
+        for last_s, cue in self._cues[-1:]:
+            things = self.pointed_at(last_s, cue) if micros(time_s) - micros(last_s) <= micros(TAKE_BACK_S) else ()
+            if things:
+                self._taken_back.append((last_s, cue, things[-1].instance))
+                self._notes.append(f"{things[-1].instance} was taken back: {cue} at {last_s:.1f} s did not mean it.")
+                return
+        self._notes.append(f"BAD at {time_s:.1f} s was ignored: there was nothing to take back.")
 
     def _begin(self, time_s: float, instance: Instance, values: Mapping[str, float]) -> Track:
         """A new observation, or the last one of its kind again when the gap was short (§4.4.1, ε)."""

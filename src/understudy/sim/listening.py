@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from typing import Any, Literal
 
 import numpy as np
@@ -40,43 +41,58 @@ class Listener:
     ) -> None:
         self._heeds, self._random = heeds, random
         self._meant = [_meant(item, targets) for item in script]
+        self._shown: set[int] = set()
         self._tried: dict[int, int] = {}
-        self.item, self.word = 0, Cue.START
+        self.item: int | None = None
+        self.word = Cue.START
         """The word that was said last, and its item in the script."""
 
     def spoke(self, item: int, word: Cue) -> None:
         """The teacher said a word of an item."""
         self.item, self.word = item, word
 
-    def hears(self, remark: Mapping[str, Any], *, behind: bool) -> tuple[tuple[Cue, ...], Reaction | None]:
+    def hears(self, remark: Mapping[str, Any], *, at: int, behind: bool) -> tuple[tuple[Cue, ...], Reaction | None]:
         """What the teacher answers to a remark, and does then.
 
         Args:
             remark: an event of the robot's, see :class:`understudy.learning.Remarks`.
+            at: the item of the script that is being played.
             behind: what the last word was about is behind the robot by now, or out of its sight.
         """
         if self._random.random() >= self._heeds:
             return (), None
         if remark["about"] == "lost":
             return (), "come back"
-        if remark["cue"] != self.word:
+        named = list(remark.get("noted", ()))
+        if remark["about"] == "passed":
+            return self._reminded(named[0], at), None
+        if remark["cue"] != self.word or self.item is None:
             return (), None  # the teacher has said something else since
-        noted, meant = set(remark.get("noted", ())), self._meant[self.item]
-        wrong = noted.difference(color for color in self._meant if color is not None)
-        match remark["about"], meant:
-            case "missed", _:
-                missing = True
-            case "nothing", None:
-                missing = True
-            case _, None:
-                missing = self.word is Cue.HERE and bool(wrong)
-            case _:
-                missing = self.word is Cue.HERE and (bool(wrong) or meant not in noted)
-        answer = (Cue.BAD,) if wrong else ()
-        if not missing or self._tried.get(self.item, 0) >= _TRIES:
+        # Each BAD takes back what was named last, so what was named after a wrong thing goes with it.
+        right = list(takewhile(set(self._meant[: self.item + 1]).__contains__, named))
+        answer = (Cue.BAD,) * (len(named) - len(right))
+        if not self._missing(remark["about"], right):
+            self._shown.add(self.item)
+            return answer, None
+        if self._tried.get(self.item, 0) >= _TRIES:
             return answer, None
         self._tried[self.item] = self._tried.get(self.item, 0) + 1
         return answer, "lead again" if behind or remark["about"] == "missed" else "say again"
+
+    def _reminded(self, name: str, at: int) -> tuple[Cue, ...]:
+        """HERE, if that was to be shown by now and has not been."""
+        for item, meant in enumerate(self._meant[: at + 1]):
+            if meant == name and item not in self._shown:
+                self.spoke(item, Cue.HERE)
+                return (Cue.HERE,)
+        return ()
+
+    def _missing(self, about: str, noted: Sequence[str]) -> bool:
+        """Whether the robot did not take what the last word meant."""
+        meant = self._meant[self.item or 0]
+        if about == "missed":
+            return True
+        return self.word is Cue.HERE and (meant not in noted if meant is not None else not noted)
 
 
 def _meant(item: ScriptItem, targets: Sequence[tuple[Color, Point]]) -> Color | None:

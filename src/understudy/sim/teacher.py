@@ -15,6 +15,7 @@ from understudy.clock import CONTROL_PERIOD_S
 from understudy.geometry import Point
 from understudy.robot import Cue
 from understudy.sim.gait import Gait
+from understudy.sim.habits import Habits
 from understudy.sim.listening import Listener, place_of
 from understudy.sim.model import ArenaModel
 from understudy.sim.script import Saying, ScriptItem, Waiting, Walk
@@ -36,6 +37,8 @@ _BLOCKED_AFTER_S = 3.0
 _IN_SIGHT_M = 2.0
 """What is farther away than this, the robot does not take note of."""
 _SAYS_AGAIN_AFTER_S = 2.0
+_LISTENS_FOR_S = 2.0
+"""A word that is said once more is waited for an answer to; in the meantime the teacher stands still."""
 _LEADING_M = (0.75, 0.95)
 _LEADING_BEARINGS = tuple(math.radians(a) for a in (0, 20, -20, 40, -40, 60, -60))
 
@@ -54,7 +57,7 @@ class ScriptedTeacher:
         assert document is not None, "this world has no teacher"
         self._truth = truth
         self._surroundings = Surroundings(arena, truth)
-        self._habits, self._meant = document.habits, document.script
+        self._document, self._meant = document, document.script
         targets = [(target.color, Point(*target.at)) for target in arena.world.targets]
         self._listener = Listener(document.script, targets, document.habits.heeds, random)
         names = [robot.name for robot in arena.world.robots]
@@ -71,10 +74,12 @@ class ScriptedTeacher:
         self.heading = math.radians(document.heading_deg)
         self._script = list(played)
         self._starts = {0: self.gait.place}  # of the items that were begun: where the teacher stood
-        self._back: ScriptItem | None = None  # a walk back, before the item is played again
+        self._back: list[ScriptItem] = []  # walks back, before the item is played again
         self._answers: list[Cue] = []
         self._again: float | None = None  # when the last word will be said once more
+        self._listens_until = 0.0  # to the answer to that
         self._called = False
+        self._careful: int | None = None  # the item that is played with care, since it went wrong before
         self._driven: Point | None = None
         self._now = 0.0
         self._item = 0
@@ -109,8 +114,12 @@ class ScriptedTeacher:
         return "" if self._at_end else f"script[{self._item}]: {self._current}"
 
     @property
+    def _habits(self) -> Habits:
+        return Habits(patience=self._document.habits.patience) if self._careful is not None else self._document.habits
+
+    @property
     def _current(self) -> ScriptItem:
-        return self._back or self._script[self._item]
+        return self._back[0] if self._back else self._script[self._item]
 
     def drive(self, velocity: Point | None) -> None:
         """Walks by hand at this velocity (m/s, arena's frame) instead of by the script, or, at None, by the script."""
@@ -123,27 +132,37 @@ class ScriptedTeacher:
             remark: an event of the robot's, see :class:`understudy.learning.Remarks`.
         """
         item = self._listener.item
-        place = place_of(self._meant[item])
+        place = place_of(self._meant[item]) if item is not None else None
         seen = self._truth.robot_pose(self._led).to_local(place) if place is not None else Point(0.0, 0.0)
         behind = seen.x < 0.0 or seen.distance > _IN_SIGHT_M
-        answers, reaction = self._listener.hears(remark, behind=behind)
+        answers, reaction = self._listener.hears(remark, at=self._item, behind=behind)
         self._answers += answers
         match reaction:
             case "come back":
                 self._called = self._returning = True
             case "say again":
                 self._again = self._now + _SAYS_AGAIN_AFTER_S
-            case "lead again":
+            case "lead again" if item is not None:
                 self._lead_again(item)
 
     def _lead_again(self, item: int) -> None:
-        """Goes back to where an item began, to play it from there once more, as it was meant."""
+        """Goes back, carefully, to where an item began, to play it from there once more as it was meant."""
         if self._meant[item].walk is None:
             self._again = self._now + _SAYS_AGAIN_AFTER_S  # there is nowhere to go back to
             return
-        self._back = ScriptItem(walk=Walk(to=tuple(self._starts[item])))
+        self._back = [ScriptItem(walk=Walk(to=tuple(spot))) for spot in self._way_back(self._starts[item])]
         self._script[item] = self._meant[item]
+        self._careful = item
         self._start_item(item)
+
+    def _way_back(self, to: Point) -> list[Point]:
+        """Around the robot, which stands on the way that it was led; nowhere if it has not come far since."""
+        robot = self._truth.robot_pose(self._led)
+        if robot.position.distance_to(to) < _NEAR_M:
+            return []
+        beside = [robot.to_parent(Point(0.0, side)) for side in (_NEAR_M, -_NEAR_M)]
+        free = [spot for spot in beside if self._surroundings.free(spot, self.gait.radius)]
+        return [*sorted(free, key=to.distance_to)[:1], to]
 
     def advance(self, now_s: float) -> tuple[Cue, ...]:
         """One control period: moves the teacher, and returns what was said in it."""
@@ -151,14 +170,15 @@ class ScriptedTeacher:
         self._done = self._at_end
         said, self._answers = self._answers, []
         if self._again is not None and now_s >= self._again:
-            self._again = None
             said.append(self._listener.word)
+            self._again, self._listens_until = None, now_s + _LISTENS_FOR_S
         if self._driven is not None:
             self.gait.at_velocity(self._driven, self._surroundings.near(self.gait.place))
         else:
-            while not self._at_end and self._play(self._current, said):
+            pausing = self._again is not None or now_s < self._listens_until
+            while not (pausing or self._at_end) and self._play(self._current, said):
                 self._next()
-            if self._at_end or not self._walking(self._current):
+            if pausing or self._at_end or not self._walking(self._current):
                 self._stand()
         if not self.gait.standing:
             self.heading = self.gait.velocity.bearing
@@ -171,12 +191,17 @@ class ScriptedTeacher:
         return item.walk is not None or item.step_aside is not None
 
     def _next(self) -> None:
-        if self._back is None:
+        if self._back:
+            del self._back[0]
+            self._start_item(self._item)
+        else:
             self._starts[self._item + 1] = self.gait.place
-        self._start_item(self._item + (self._back is None))
-        self._back = None
+            self._start_item(self._item + 1)
 
     def _start_item(self, item: int) -> None:
+        if item != self._careful:
+            self._careful = None
+        self.gait.speed = self._document.speed * self._habits.pace
         self._item = item
         self._begun, self._from = self._now, self.gait.place
         self._ripe, self._said, self._blocked_for = None, False, 0.0
