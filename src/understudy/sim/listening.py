@@ -19,7 +19,7 @@ _STANDS_FOR_M = 1.0
 """A word that waits for a place is about the target that stands there, or beside the box there."""
 
 _TRIES = 2
-"""So often does a teacher try to mend one word."""
+"""So often does a teacher try to mend one word: first by saying it once more, if that may help."""
 
 
 class Listener:
@@ -74,10 +74,11 @@ class Listener:
         if not self._missing(remark["about"], right):
             self._shown.add(self.item)
             return answer, None
-        if self._tried.get(self.item, 0) >= _TRIES:
+        tried = self._tried.get(self.item, 0)
+        if tried >= _TRIES:
             return answer, None
-        self._tried[self.item] = self._tried.get(self.item, 0) + 1
-        return answer, "lead again" if behind or remark["about"] == "missed" else "say again"
+        self._tried[self.item] = tried + 1
+        return answer, "lead again" if behind or tried or remark["about"] == "missed" else "say again"
 
     def _reminded(self, name: str, at: int) -> tuple[Cue, ...]:
         """HERE, if that was to be shown by now and has not been."""
