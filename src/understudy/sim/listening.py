@@ -11,7 +11,7 @@ from understudy.geometry import Point
 from understudy.robot import Color, Cue
 from understudy.sim.script import ScriptItem
 
-__all__ = ["Listener", "Reaction", "place_of"]
+__all__ = ["Listener", "Reaction", "meant_by", "place_of"]
 
 Reaction = Literal["come back", "say again", "lead again"]
 
@@ -40,7 +40,7 @@ class Listener:
         random: np.random.Generator,
     ) -> None:
         self._heeds, self._random = heeds, random
-        self._meant = [_meant(item, targets) for item in script]
+        self._meant = [meant_by(item, targets) for item in script]
         self._shown: set[int] = set()
         self._tried: dict[int, int] = {}
         self.item: int | None = None
@@ -96,7 +96,7 @@ class Listener:
         return self.word is Cue.HERE and (meant not in noted if meant is not None else not noted)
 
 
-def _meant(item: ScriptItem, targets: Sequence[tuple[Color, Point]]) -> Color | None:
+def meant_by(item: ScriptItem, targets: Sequence[tuple[Color, Point]]) -> Color | None:
     """The color of the target that an item's word is about; None if it is about none."""
     if (place := place_of(item)) is None:
         return None

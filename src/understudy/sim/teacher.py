@@ -36,6 +36,8 @@ _BLOCKED_AFTER_S = 3.0
 """Standing before something that blocks the way, the teacher takes the walk for finished."""
 _IN_SIGHT_M = 2.0
 """What is farther away than this, the robot does not take note of."""
+_COMES_WITHIN_M = 1.2
+"""So near does a teacher come to a robot that called."""
 _SAYS_AGAIN_AFTER_S = 2.0
 _LISTENS_FOR_S = 2.0
 """A word that is said once more is waited for an answer to; in the meantime the teacher stands still."""
@@ -301,7 +303,7 @@ class ScriptedTeacher:
             self._blocked_for = _BLOCKED_AFTER_S
         if self._returning:
             spot = self._spot_in_view()
-            if spot is None or (abs(me.bearing) < _FOUND_AT and not (self._called and me.distance > self._habits.lead)):
+            if spot is None or (abs(me.bearing) < _FOUND_AT and not (self._called and me.distance > _COMES_WITHIN_M)):
                 self._returning = self._called = False
             else:
                 self.gait.toward(spot, 1.0, self._surroundings.near(self.gait.place), stop_there=True)
