@@ -200,6 +200,23 @@ class World(Part):
     teacher: Teacher | None = None
     noise: NoiseLevels = NoiseLevels()
 
+    def with_habits(self, **habits: Any) -> Self:
+        """The same, with other habits of its teacher.
+
+        Args:
+            habits: keys of :class:`Habits`; all others are those of the level given, ``like``.
+
+        Raises:
+            WorldError: it has no teacher, or these are no habits.
+        """
+        if self.teacher is None:
+            raise WorldError("this world has no teacher, who could have habits", source=self.name)
+        try:
+            found = Habits.model_validate(habits)
+        except ValidationError as error:
+            raise first_fault(error, self.name, WorldError) from None
+        return self.model_copy(update={"teacher": self.teacher.model_copy(update={"habits": found})})
+
     @classmethod
     def json_schema(cls) -> dict[str, Any]:
         """The JSON Schema of the document."""
