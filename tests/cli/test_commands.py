@@ -77,6 +77,17 @@ def test_help_imports_nothing_heavy() -> None:
     assert done.stdout.strip() == "[]"
 
 
+def test_teachers_of_other_habits_and_what_the_robot_says_to_them(tmp_path: Path) -> None:
+    (tmp_path / "w.yaml").write_text(yaml.safe_dump(TINY), encoding="utf-8")
+    told = understudy("teach", "w.yaml", "--habits", "inexperienced", "--heeds", "1", "--json", folder=tmp_path)
+    record = json.loads(told.stdout)
+    assert record["slips"]
+    assert {"time_s", "what"} == set(record["remarks"][0])
+    plain = understudy("teach", "w.yaml", folder=tmp_path).stdout
+    assert "What the robot said:" in plain
+    assert "slipped" not in plain
+
+
 def test_teach_learn_run(workspace: Path) -> None:
     task, network = load_task(workspace / "understudy-out" / "tiny.yaml")
     assert task.name == "tiny"

@@ -127,15 +127,35 @@ def runs_of_true(history: Sequence[bool], merge_gap: int) -> list[Span]:
 
 
 def is_salient(
-    span: Span, behavior: str, words: Sequence[tuple[int, str]], *, demonstration_start: int, grace: int, delay: int
+    span: Span,
+    behavior: str,
+    words: Sequence[tuple[int, str]],
+    *,
+    demonstration_start: int,
+    grace: int,
+    delay: int,
+    things: Sequence[Span] | None = None,
 ) -> bool:
-    """Whether a demonstration with these words keeps the observation."""
+    """Whether a demonstration with these words keeps the observation.
+
+    Args:
+        span: of the observation.
+        behavior: whose goal it is.
+        words: with their times.
+        demonstration_start: when it began.
+        grace: how early or late a word may come.
+        delay: how long TAKE and DROP may take.
+        things: if one can point at it: all that one could point at, it too.
+    """
     if not words:
         return True
     start, end = span
     for time, _ in words:
+        late = end < time
         if start - grace <= time <= end + grace:
-            return True
+            others = things if things is not None and late else ()
+            if not any(begin - grace <= time <= stop for begin, stop in others):
+                return True
     for word, brought_about in (("TAKE", "PickUp"), ("DROP", "Drop")):
         said_before = [time for time, said in words if said == word and time <= start]
         if behavior == brought_about and said_before and start - max(said_before) <= delay:

@@ -93,7 +93,7 @@ def test_a_goal_that_ends_on_the_tick_on_which_another_begins_meets_it() -> None
 
 
 def test_words_are_kept_with_their_times() -> None:
-    words = {0: [Cue.HERE, Cue.START], 1: [Cue.TAKE, Cue.BAD], 3: [Cue.DONE, Cue.HERE]}
+    words = {0: [Cue.HERE, Cue.START], 1: [Cue.TAKE, Cue.GO], 3: [Cue.DONE, Cue.HERE]}
     found = watch([{DROP: {}}] * 5, words)
     assert found.cues == ((0.1, Cue.TAKE),)
     assert found.notes == ()

@@ -3,7 +3,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from understudy.errors import LearningError
-from understudy.learning import Demonstration, LearningSettings, Observed, select
+from understudy.learning import Demonstration, Instance, LearningSettings, Observed, select
 from understudy.network import Interval
 from understudy.robot.cues import Cue
 
@@ -48,12 +48,13 @@ def test_what_is_kept_is_long_enough_near_enough_and_salient(
     observations = [seen(*interval(span), behavior, values={"distance_m": far}) for span, behavior, far in shown]
     cues = tuple((seconds(time), Cue(word)) for time, word in said)
     selection = select(demonstrated(*observations, cues=cues), settings)
+    things = [span for span, _, far in shown if span[1] - span[0] >= 400 and far <= 2.0]
     expected = [
         observation
         for observation, (span, behavior, far) in zip(observations, shown, strict=True)
         if (span[1] - span[0] >= 400 or was_done_at_a_word(span, behavior, said, max(grace, delay)))
         and far <= 2.0
-        and is_salient(span, behavior, said, demonstration_start=0, grace=grace, delay=delay)
+        and is_salient(span, behavior, said, demonstration_start=0, grace=grace, delay=delay, things=things)
     ]
     assert [(kept.instance, kept.interval) for kept in selection.kept] == [(o.instance, o.interval) for o in expected]
     assert len(selection.kept) + len(selection.dropped) == len(observations)
@@ -96,6 +97,33 @@ def test_a_word_may_come_a_little_early_or_late() -> None:
     selection = select(demonstration, LearningSettings())
     assert [kept.cues for kept in selection.kept] == [((8.5, Cue.HERE),), ((41.5, Cue.HERE),)]
     assert selection.unused_cues == ((61.6, Cue.HERE),)
+
+
+def thing(start: float, end: float, color: str, far: float = 1.0) -> Observed:
+    instance = Instance("Track", (("color", color),))
+    return Observed(instance=instance, interval=Interval(start, end), values={"distance_m": far})
+
+
+def kept_at(time: float, *things: Observed, **changes: object) -> list[str]:
+    selection = select(demonstrated(*things, cues=((time, Cue.HERE),), **changes), LearningSettings())
+    return [dict(one.instance.parameters)["color"] for one in selection.kept]
+
+
+def test_a_late_word_is_not_about_what_is_gone_if_something_is_there() -> None:
+    gone, there, coming = thing(10, 20, "red"), thing(18, 30, "yellow"), thing(22, 32, "green")
+    assert kept_at(21, gone) == ["red"]
+    assert kept_at(21, gone, there) == ["yellow"]
+    assert kept_at(21, gone, there, coming) == ["yellow", "green"]
+    assert kept_at(21, gone, coming) == ["green"]
+    assert kept_at(21, gone, thing(20.5, 22, "yellow")) == ["red"]  # too short to be anything
+
+
+def test_what_was_taken_back_is_left_out_and_the_word_is_not_reported_as_unused() -> None:
+    red, yellow = thing(10, 20, "red"), thing(12, 20, "yellow")
+    word = (15.0, Cue.HERE)
+    assert kept_at(15.0, red, yellow, taken_back=((*word, red.instance),)) == ["yellow"]
+    alone = demonstrated(red, cues=(word,), taken_back=((*word, red.instance),))
+    assert select(alone, LearningSettings()).unused_cues == ()
 
 
 def test_take_counts_for_the_box_which_the_robot_holds_some_time_after() -> None:

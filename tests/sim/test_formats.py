@@ -16,7 +16,7 @@ from understudy.documents import Part
 from understudy.learning import demonstrate, learn, parse_intervals
 from understudy.network import LinkType, parse_task
 from understudy.robot import Color, Cue
-from understudy.sim import Referee, Simulation, World
+from understudy.sim import LEVELS, Habits, Referee, Simulation, World
 from understudy.sim.script import DEFAULT_TIMEOUT_S, Saying, ScriptItem, Waiting, Walk
 from understudy.sim.world import Box
 
@@ -140,7 +140,7 @@ def test_a_default_is_as_the_table_says(key: str) -> None:
         assert said == field.default
     else:
         assert field.default in (None, ())
-        assert said in ("none", "nothing", "the first")
+        assert said in ("none", "nothing", "the first", "none: without end")
 
 
 @pytest.mark.parametrize("key", WORLD_KEYS)
@@ -166,7 +166,9 @@ def resolved(schema: dict[str, Any]) -> dict[str, Any]:
         if "$ref" in schema:
             schema = SCHEMA["$defs"][schema["$ref"].rsplit("/", 1)[1]]
         elif "anyOf" in schema:
-            schema = schema["anyOf"][0]
+            schema = next(
+                one for one in schema["anyOf"] if {"$ref", "properties"} & one.keys()
+            )  # not the shorthand, nor nothing
         else:
             schema = schema["items"]
     return schema
@@ -174,7 +176,7 @@ def resolved(schema: dict[str, Any]) -> dict[str, Any]:
 
 def numbers(schema: dict[str, Any]) -> dict[str, Any]:
     """Where the limits are: at the key, or, of a pair of numbers, at the first."""
-    first: dict[str, Any] = schema.get("prefixItems", [schema])[0]
+    first: dict[str, Any] = schema.get("prefixItems", schema.get("anyOf", [schema]))[0]
     return first
 
 
@@ -198,6 +200,16 @@ def test_every_condition_every_word_and_every_color_is_told() -> None:
     conditions = TypeAdapter(Waiting).json_schema()["anyOf"][0]["enum"]
     assert [row[0].strip("`") for row in rows("| `condition` | true when |")] == conditions
     assert all(re.search(rf"\b{word}\b", PAGE) for word in [*Cue, *Color])
+
+
+def test_the_levels_of_skill_are_as_the_table_says() -> None:
+    table = {row[0].strip("`"): row[1:4] for row in rows("| habit | experienced |")}
+    assert set(table) == {name for keys in LEVELS.values() for name in keys}
+    for name, told in table.items():
+        true = [getattr(Habits.model_validate(level), name) for level in LEVELS]
+        assert ["none" if value is None else f"{value:g}" for value in true] == [
+            number if number == "none" else f"{float(number):g}" for number in told
+        ]
 
 
 def test_the_table_of_skills_is_that_of_the_skills() -> None:

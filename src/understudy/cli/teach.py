@@ -1,7 +1,7 @@
 """``understudy teach``"""
 
 import json
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -17,6 +17,14 @@ def command(
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     name: Name = None,
     seed: Seed = None,
+    habits: Annotated[
+        Literal["experienced", "instructed", "inexperienced"] | None,
+        typer.Option(help="How well the teacher teaches, instead of as the world says."),
+    ] = None,
+    heeds: Annotated[
+        float | None,
+        typer.Option(min=0.0, max=1.0, help="Share of the robot's remarks that the teacher heeds, instead of none."),
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """The scripted teacher of a world leads its robot through the task. Exit code 1 if DONE was never said."""
@@ -24,6 +32,9 @@ def command(
     from understudy.sessions import Workspace, teach  # noqa: PLC0415
 
     room = find_world(world)
+    changed = {key: value for key, value in (("like", habits), ("heeds", heeds)) if value is not None}
+    if changed:
+        room = room.with_habits(**changed)
     place = Workspace(workspace)
     path = place.free(name or room.name, ".mcap").with_suffix(".mcap")
     with progress(f"teaching {name or room.name}") as say:
@@ -46,6 +57,8 @@ def command(
             "collisions": dict(taught.verdict.collisions),
             "finished": taught.finished,
             "complaints": list(taught.complaints),
+            "remarks": [{"time_s": time_s, "what": what} for time_s, what in taught.remarks],
+            "slips": [str(slip) for slip in taught.slips],
         }
         typer.echo(json.dumps(record))
         raise typer.Exit(0 if taught.finished else 1)
@@ -54,6 +67,14 @@ def command(
     typer.echo(f"A demonstration of {span.duration:.0f} s, in which the robot saw {goals} come true.")
     for note in (*taught.demonstration.notes, *taught.complaints):
         typer.echo(f"  note: {note}")
+    if taught.remarks:
+        typer.echo("What the robot said:")
+        for time_s, what in taught.remarks:
+            typer.echo(f"  {time_s:5.1f} s  {what}")
+    if taught.slips:
+        typer.echo("Where the teacher slipped, of which the robot knows nothing:")
+        for slip in taught.slips:
+            typer.echo(f"  {slip}")
     if not taught.verdict.clean:
         hits = ", ".join(f"{count} × {what}" for what, count in taught.verdict.collisions.items())
         typer.echo(f"  The robot bumped into things: {hits}")

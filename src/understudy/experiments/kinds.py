@@ -10,6 +10,7 @@ from types import MappingProxyType
 from understudy.experiments.delivery import DeliveryOptions, delivery_trial
 from understudy.experiments.document import Options
 from understudy.experiments.generalization import GeneralizationOptions, course_trial, generalised_trial
+from understudy.experiments.lessons import lesson_trial
 from understudy.experiments.planned import PlanningOptions, planned_trial
 from understudy.experiments.summary import Measured, success_rate
 from understudy.experiments.teaching import run_trial, teach_and_run_trial, teach_trial
@@ -44,6 +45,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         "teach": Kind(trial=teach_trial),
         "run": Kind(trial=run_trial),
         "teach and run": Kind(trial=teach_and_run_trial),
+        "lesson": Kind(trial=lesson_trial),
         "deliver": Kind(trial=delivery_trial, options=DeliveryOptions),
         "teach in turn": Kind(trial=course_trial, options=GeneralizationOptions),
         "run generalised": Kind(trial=generalised_trial, options=GeneralizationOptions),

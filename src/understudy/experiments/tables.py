@@ -7,6 +7,7 @@ from understudy.experiments.delivery import delivery_table
 from understudy.experiments.experiment import Experiment
 from understudy.experiments.generalization import ways_table
 from understudy.experiments.hierarchical import links_table, visits_table
+from understudy.experiments.lessons import causes_table
 from understudy.experiments.orders import orders_table
 from understudy.experiments.summary import Table
 from understudy.experiments.trial import Trial
@@ -20,6 +21,7 @@ TABLES: Mapping[str, Callable[[Experiment, Sequence[Trial]], Table]] = MappingPr
         "links": links_table,
         "conditions": delivery_table,
         "ways": ways_table,
+        "causes": causes_table,
     }
 )
 """By the names that documents use: each from the experiment and all its trials, of which there is at least one."""

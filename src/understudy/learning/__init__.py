@@ -12,6 +12,7 @@ from understudy.learning.documents import IntervalsDocument, intervals_schema, l
 from understudy.learning.learner import Lesson, learn
 from understudy.learning.observations import Demonstration, History, Instance, Observed
 from understudy.learning.observer import Observer
+from understudy.learning.remarks import Remarks
 from understudy.learning.selection import Dropped, Selection, select
 from understudy.learning.settings import DISTANCE, LearningSettings
 
@@ -30,6 +31,7 @@ __all__ = [
     "Observed",
     "Observer",
     "Relation",
+    "Remarks",
     "Selection",
     "construct",
     "demonstrate",

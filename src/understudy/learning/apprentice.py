@@ -9,6 +9,7 @@ from understudy.behaviors import Action, Drive, FollowTeacher, Instance, Memory,
 from understudy.clock import CONTROL_PERIOD_S
 from understudy.learning.observations import Demonstration
 from understudy.learning.observer import Observer
+from understudy.learning.remarks import Remarks
 from understudy.learning.settings import LearningSettings
 from understudy.perception import Attention, Perception, Percepts
 from understudy.robot import Command, Cue, Journal, NoJournal, Observation, Robot, RobotSpec, control
@@ -211,7 +212,7 @@ def demonstrate(
     """
     journal = journal or NoJournal()
     perception, observer = Perception(robot.spec, attention=attention), Observer(settings)
-    apprentice = Apprentice(skills, robot.spec)
+    apprentice, remarks = Apprentice(skills, robot.spec), Remarks(settings)
 
     begun_s: float | None = None
 
@@ -219,9 +220,19 @@ def demonstrate(
         nonlocal begun_s
         begun_s = observation.time_s if begun_s is None else begun_s
         percepts = perception.update(observation)
-        observer.step(observation.time_s, evaluate(percepts, skills), observation.cues)
+        evaluated = evaluate(percepts, skills)
+        observer.step(observation.time_s, evaluated, observation.cues)
         command, news = apprentice.step(percepts, observation.cues)
-        for event in news:
+        said = remarks.step(
+            observation.time_s,
+            observer,
+            evaluated,
+            observation.cues,
+            looking=apprentice.mode == "following",
+            in_view=percepts.teacher is not None,
+            news=news,
+        )
+        for event in (*news, *said):
             journal.event(event)
         if watch is not None:
             watch(percepts, observer)

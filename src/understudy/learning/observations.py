@@ -75,6 +75,7 @@ class Demonstration:
         span: from START to DONE.
         observations: in order of appearance.
         cues: HERE, TAKE and DROP with their times.
+        taken_back: what a word pointed at and the teacher took back, by BAD: the word, and the kind of the thing.
         annotated: somebody wrote the intervals down. Then they are no sensor readings, and none of them is taken for a
             false indication because it is short.
         notes: what the teacher should know about how it was recorded.
@@ -85,6 +86,7 @@ class Demonstration:
     span: Interval
     observations: tuple[Observed, ...]
     cues: tuple[tuple[float, Cue], ...] = ()
+    taken_back: tuple[tuple[float, Cue, Instance], ...] = ()
     annotated: bool = False
     notes: tuple[str, ...] = ()
     done: bool = True

@@ -12,6 +12,7 @@ import numpy as np
 from understudy.errors import LearningError
 from understudy.learning.instants import micros
 from understudy.learning.observations import Demonstration, History, Instance, Observed
+from understudy.learning.pointing import pointed_at
 from understudy.learning.settings import DISTANCE, LearningSettings
 from understudy.network import Interval, ParameterValue
 from understudy.robot.cues import Cue
@@ -19,6 +20,9 @@ from understudy.robot.cues import Cue
 __all__ = ["Observer"]
 
 SALIENT = (Cue.HERE, Cue.TAKE, Cue.DROP)
+
+TAKE_BACK_S = 10.0
+"""So long after a word BAD takes it back (A.6)."""
 
 Kind = TypeVar("Kind", bound=tuple[str, tuple[tuple[str, ParameterValue], ...]])
 """An :class:`Instance`, or the skills' own pair of behavior and discrete parameters."""
@@ -78,7 +82,8 @@ class Observer:
 
     Only what lies between START and DONE counts. A teacher's slip of the tongue never stops the robot: a word that
     cannot be meant (a second START, DONE too early) is ignored and noted. Saliency is decided afterwards, by
-    :func:`~understudy.learning.select`, from the times of the words that are kept here.
+    :func:`~understudy.learning.select`, from the times of the words that are kept here. BAD takes back what the last
+    word pointed at, one thing for each BAD, the farthest first: it does not belong to the task.
 
     Args:
         settings: ``merge_gap_s``, ``begin`` and ``end`` matter here.
@@ -93,6 +98,7 @@ class Observer:
         self._open: dict[Instance, Track] = {}
         self._latest: dict[Instance, Track] = {}
         self._cues: list[tuple[float, Cue]] = []
+        self._taken_back: list[tuple[float, Cue, Instance]] = []
         self._notes: list[str] = []
         self._done = False
 
@@ -162,6 +168,7 @@ class Observer:
             span=Interval(self._begun_s, self._now_s),
             observations=self.observations,
             cues=tuple(self._cues),
+            taken_back=tuple(self._taken_back),
             notes=tuple(self._notes),
             done=self._done,
         )
@@ -176,6 +183,8 @@ class Observer:
                 self._close_all()
             case c, Phase.WATCHING if c in SALIENT:
                 self._cues.append((time_s, c))
+            case Cue.BAD, Phase.WATCHING:
+                self._take_back(time_s)
             case c, Phase.WAITING if c == end:
                 self._notes.append(f"{c} at {time_s:.1f} s came before {begin}; it was ignored.")
             case c, Phase.WATCHING if c == begin:
@@ -184,6 +193,20 @@ class Observer:
                 self._notes.append(f"{c} at {time_s:.1f} s came after {end}; record it as a demonstration of its own.")
             case _:
                 pass  # Words outside the demonstration, and those of practice, say nothing here.
+
+    def pointed_at(self, time_s: float, cue: Cue) -> tuple[Observed, ...]:
+        """What a word points at, as far as it was seen by now, the nearest first, without what was taken back."""
+        things = pointed_at(time_s, self.observations, self.settings)
+        return tuple(one for one in things if (time_s, cue, one.instance) not in self._taken_back)
+
+    def _take_back(self, time_s: float) -> None:
+        for last_s, cue in self._cues[-1:]:
+            things = self.pointed_at(last_s, cue) if micros(time_s) - micros(last_s) <= micros(TAKE_BACK_S) else ()
+            if things:
+                self._taken_back.append((last_s, cue, things[-1].instance))
+                self._notes.append(f"{things[-1].instance} was taken back: {cue} at {last_s:.1f} s did not mean it.")
+                return
+        self._notes.append(f"BAD at {time_s:.1f} s was ignored: there was nothing to take back.")
 
     def _begin(self, time_s: float, instance: Instance, values: Mapping[str, float]) -> Track:
         """A new observation, or the last one of its kind again when the gap was short (§4.4.1, ε)."""

@@ -9,7 +9,9 @@ In this order, and the first reason that applies is the one reported:
 3. *Saliency*, when the teacher said HERE, TAKE or DROP at all (``heed_cues``). An observation is salient when
 
    * one of these words falls into its interval, by ``cue_grace_s`` at most before or after it. Whatever the word:
-     TAKE and DROP say "relevant" as well as what to do, so the target beside the box is salient, too; or
+     TAKE and DROP say "relevant" as well as what to do, so the target beside the box is salient, too. What has values,
+     and so a place, must be what the word points at (:mod:`~understudy.learning.pointing`), and the teacher must not
+     have taken it back (BAD); or
    * its goal is what the word brings about (``cue_effects``): TAKE comes before the robot holds the box, so the first
      words of a ``PickUp`` lie before its interval. It counts when it came no more than ``cue_delay_s`` before the onset
      and was the last of its kind to come before it. The same for DROP and ``Drop``; or
@@ -20,10 +22,12 @@ In this order, and the first reason that applies is the one reported:
 """
 
 from bisect import bisect_right
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from understudy.learning.instants import micros
 from understudy.learning.observations import Demonstration, Observed
+from understudy.learning.pointing import falls_on, pointed_at, seen_too_far_off
 from understudy.learning.settings import DISTANCE, LearningSettings
 from understudy.robot.cues import Cue
 
@@ -57,15 +61,18 @@ def select(demonstration: Demonstration, settings: LearningSettings) -> Selectio
     """Tell the observations that belong to the task from those that do not; the rules are those of this module."""
     kept: list[Observed] = []
     dropped: list[Dropped] = []
+    seen = [one for one in demonstration.observations if not _too_short(one, settings)]
+    pointing = {word: pointed_at(word[0], seen, settings) for word in demonstration.cues}
     for bare in demonstration.observations:
-        observed = replace(bare, cues=_words_on(bare, demonstration, settings))
+        observed = replace(bare, cues=_words_on(bare, demonstration, settings, pointing))
         reason = _reason_against(observed, demonstration, settings)
         if reason:
             dropped.append(Dropped(observed=observed, reason=reason))
         else:
             kept.append(observed)
     used = {cue for observed in kept for cue in observed.cues}
-    unused = tuple(cue for cue in demonstration.cues if cue not in used)
+    taken_back = {(time, cue) for time, cue, _ in demonstration.taken_back}
+    unused = tuple(cue for cue in demonstration.cues if cue not in used | taken_back)
     return Selection(kept=tuple(kept), dropped=tuple(dropped), unused_cues=unused)
 
 
@@ -78,12 +85,11 @@ def _reason_against(observed: Observed, demonstration: Demonstration, settings: 
             observed.instance.behavior in settings.cue_effects.get(cue, ()) and time <= interval.start
             for time, cue in observed.cues
         )
-        too_short = micros(interval.end) - micros(interval.start) < micros(settings.min_duration_s)
+        too_short = _too_short(observed, settings)
         if too_short and not done_at_a_word:
             return f"seen for {interval.duration:.1f} s only (at least {settings.min_duration_s:g} s)"
-        distance = observed.values.get(DISTANCE, 0.0)
-        if distance > settings.max_distance_m:
-            return f"{distance:.1f} m away (at most {settings.max_distance_m:g} m)"
+        if seen_too_far_off(observed, settings):
+            return f"{observed.values[DISTANCE]:.1f} m away (at most {settings.max_distance_m:g} m)"
     lasted_to_the_end = micros(span.end) - micros(interval.end) <= micros(settings.tolerance_s)
     unchanging = not observed.values and begun_at_start and lasted_to_the_end and not demonstration.annotated
     if unchanging and not settings.keep_unchanging:
@@ -95,13 +101,23 @@ def _reason_against(observed: Observed, demonstration: Demonstration, settings: 
     return ""
 
 
+def _too_short(observed: Observed, settings: LearningSettings) -> bool:
+    return micros(observed.interval.end) - micros(observed.interval.start) < micros(settings.min_duration_s)
+
+
 def _words_on(
-    observed: Observed, demonstration: Demonstration, settings: LearningSettings
+    observed: Observed,
+    demonstration: Demonstration,
+    settings: LearningSettings,
+    pointing: Mapping[tuple[float, Cue], Sequence[Observed]],
 ) -> tuple[tuple[float, Cue], ...]:
     """The words that make the observation salient, in the order of time."""
-    start, end = (micros(moment) for moment in observed.interval)
-    grace = micros(settings.cue_grace_s)
-    found = {(time, cue) for time, cue in demonstration.cues if start - grace <= micros(time) <= end + grace}
+    start = micros(observed.interval.start)
+    if observed.values and not demonstration.annotated:
+        meant = (word for word, things in pointing.items() if any(one is observed for one in things))
+        found = {word for word in meant if (*word, observed.instance) not in demonstration.taken_back}
+    else:
+        found = {(time, cue) for time, cue in demonstration.cues if falls_on(time, observed.interval, settings)}
     for cue, behaviors in settings.cue_effects.items():
         if observed.instance.behavior in behaviors:
             said = sorted(time for time, word in demonstration.cues if word == cue)

@@ -10,10 +10,10 @@ from understudy.errors import WorldError
 from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate, observe
 from understudy.perception import Percepts
 from understudy.recording import Recorder, read_recording
-from understudy.robot import Journal
+from understudy.sessions.aloud import Aloud
 from understudy.sessions.recorded import spec_of
 from understudy.sessions.stage import Stage, Verdict
-from understudy.sim import World
+from understudy.sim import Slip, World
 
 __all__ = ["Taught", "recorded_demonstration", "teach"]
 
@@ -29,6 +29,8 @@ class Taught:
         verdict: the referee's.
         finished: DONE was said; otherwise the time was over.
         complaints: what the teacher waited for in vain, and where a demonstration without DONE got stuck.
+        remarks: what the robot said aloud, and when.
+        slips: where the teacher departed from the script; the truth, of which the robot knows nothing.
     """
 
     demonstration: Demonstration
@@ -37,6 +39,8 @@ class Taught:
     verdict: Verdict
     finished: bool
     complaints: tuple[str, ...]
+    remarks: tuple[tuple[float, str], ...]
+    slips: tuple[Slip, ...]
 
 
 def teach(
@@ -75,9 +79,10 @@ def teach(
     name = name or world.name
     stage = Stage(world, seed)
     with ExitStack() as stack:
-        journal: Journal | None = None
+        recorder: Recorder | None = None
         if recording is not None:
-            journal = stack.enter_context(_recorder(recording, stage, name))
+            recorder = stack.enter_context(_recorder(recording, stage, name))
+        aloud = Aloud(stage.simulation, recorder)
 
         def look(percepts: Percepts, observer: Observer) -> None:
             stage.look()
@@ -85,7 +90,7 @@ def teach(
                 watch(percepts, observer)
 
         demonstration = demonstrate(
-            stage.robot, skills, settings, name=name, limit_s=limit_s, journal=journal, watch=look
+            stage.robot, skills, settings, name=name, limit_s=limit_s, journal=aloud, watch=look
         )
     complaints = [f"{sentence} (at {time_s:.0f} s)" for time_s, sentence in stage.simulation.teacher_complaints]
     if not demonstration.done:
@@ -98,6 +103,8 @@ def teach(
         verdict=stage.verdict(),
         finished=demonstration.done,
         complaints=tuple(complaints),
+        remarks=tuple(aloud.remarks),
+        slips=stage.simulation.teacher_slips,
     )
 
 

@@ -11,18 +11,24 @@ A demonstration::
         robot.wait()
 """
 
+from understudy.sim.habits import LEVELS, Habits, Skilled
 from understudy.sim.rearrange import rearranged
 from understudy.sim.referee import Collision, CollisionKind, Referee
 from understudy.sim.simulated_robot import SimRobot
 from understudy.sim.simulation import Simulation
+from understudy.sim.slips import Slip
 from understudy.sim.world import World, load_world, world_names, world_path
 
 __all__ = [
+    "LEVELS",
     "Collision",
     "CollisionKind",
+    "Habits",
     "Referee",
     "SimRobot",
     "Simulation",
+    "Skilled",
+    "Slip",
     "World",
     "load_world",
     "rearranged",

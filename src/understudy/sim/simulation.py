@@ -26,6 +26,7 @@ from understudy.sim.model import ArenaModel
 from understudy.sim.noise import NoiseStreams
 from understudy.sim.scenery import Scenery
 from understudy.sim.simulated_robot import SimRobot
+from understudy.sim.slips import Slip
 from understudy.sim.teacher import ScriptedTeacher
 from understudy.sim.truth import Truth
 from understudy.sim.world import DOOR_RANGE_DEG, World
@@ -56,12 +57,15 @@ class Simulation:
             for index, start in zip(self.arena.robots, world.robots, strict=True)
         ]
         self.truth = Truth(self.arena, self._data, self._bodies)
-        self._teacher = ScriptedTeacher(self.arena, self.truth) if world.teacher is not None else None
+        # The teacher's slips come last, so that the robots' noise is the same with any teacher, or without one.
+        *seeds, seed_of_teacher = np.random.SeedSequence(self.seed).spawn(len(self._bodies) + 1)
+        self._teacher: ScriptedTeacher | None = None
+        if world.teacher is not None:
+            self._teacher = ScriptedTeacher(self.arena, self.truth, np.random.default_rng(seed_of_teacher))
         for joint, door in zip(self.arena.door_angle, world.doors, strict=True):
             self._data.qpos[joint] = math.radians(door.open_deg)
         mujoco.mj_kinematics(self._model, self._data)
         scenery = Scenery(self.arena, self._data)
-        seeds = np.random.SeedSequence(self.seed).spawn(len(self._bodies))
         self._robots = {
             start.name: SimRobot(
                 start.name,
@@ -102,6 +106,11 @@ class Simulation:
     def teacher_complaints(self) -> list[tuple[float, str]]:
         """What the teacher waited for in vain so far, with the time at which it went on; empty without a teacher."""
         return list(self._teacher.complaints) if self._teacher is not None else []
+
+    @property
+    def teacher_slips(self) -> tuple[Slip, ...]:
+        """Where the teacher departs from the script in this run; nowhere with careful habits, or without a teacher."""
+        return self._teacher.slips if self._teacher is not None else ()
 
     @property
     def teacher_at(self) -> str:

@@ -13,6 +13,7 @@ from understudy.documents import Part, expect_kind, first_fault, read_data
 from understudy.errors import WorldError
 from understudy.geometry import Point, Pose
 from understudy.robot import TEACHER_COLOR, Color
+from understudy.sim.habits import Habits
 from understudy.sim.layout import check_layout
 from understudy.sim.noise import NoiseLevels
 from understudy.sim.quantities import Degrees, Length, Place, plainly, two_numbers
@@ -150,6 +151,7 @@ class Teacher(Part):
         radius: metres; legs close together make a uniform target (A.5).
         height: metres.
         leads: name of the robot that is led; the first one if left out.
+        habits: how well the teacher teaches; carefully, if left out.
         script: what the teacher does, in this order.
     """
 
@@ -159,6 +161,7 @@ class Teacher(Part):
     radius: Length = 0.15
     height: Length = 1.7
     leads: Name | None = None
+    habits: Habits = Habits()
     script: tuple[ScriptItem, ...] = ()
 
 
@@ -196,6 +199,23 @@ class World(Part):
     robots: Annotated[tuple[RobotStart, ...], AfterValidator(_at_least_one), Field(json_schema_extra={"minItems": 1})]
     teacher: Teacher | None = None
     noise: NoiseLevels = NoiseLevels()
+
+    def with_habits(self, **habits: Any) -> Self:
+        """The same, with other habits of its teacher.
+
+        Args:
+            habits: keys of :class:`Habits`; all others are those of the level given, ``like``.
+
+        Raises:
+            WorldError: it has no teacher, or these are no habits.
+        """
+        if self.teacher is None:
+            raise WorldError("this world has no teacher, who could have habits", source=self.name)
+        try:
+            found = Habits.model_validate(habits)
+        except ValidationError as error:
+            raise first_fault(error, self.name, WorldError) from None
+        return self.model_copy(update={"teacher": self.teacher.model_copy(update={"habits": found})})
 
     @classmethod
     def json_schema(cls) -> dict[str, Any]:
