@@ -24,7 +24,6 @@ _NEEDED = {
     "typer": "the command line",
     "rich": "progress bars",
     "pyyaml": "documents",
-    "sqlalchemy": "trials that are kept",
 }
 _OPTIONAL = {
     "unified-planning": "tasks from goals",
