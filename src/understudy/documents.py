@@ -181,6 +181,7 @@ _USES = {
     "context": "use it with `understudy run --resume`",
     "experiment": "use it with `understudy experiment`",
     "archive": "use it with `understudy tasks import`",
+    "robot": "use it with `understudy teach --robot` or `understudy run --robot`",
 }
 
 

@@ -3,8 +3,9 @@
 The tree::
 
     UnderstudyError
-    ├── DocumentError        a document (world, task, intervals, context, experiment) is malformed
+    ├── DocumentError        a document (world, task, intervals, context, experiment, robot) is malformed
     │   ├── WorldError
+    │   ├── RobotDocumentError
     │   ├── NetworkError
     │   ├── ContextError     a saved run cannot be gone on with
     │   └── ExperimentError
@@ -36,6 +37,7 @@ __all__ = [
     "NoPlanError",
     "PlanningError",
     "RecordingError",
+    "RobotDocumentError",
     "RobotError",
     "SkillError",
     "UnderstudyError",
@@ -66,6 +68,10 @@ class DocumentError(UnderstudyError):
 
 class WorldError(DocumentError):
     """A world document is malformed."""
+
+
+class RobotDocumentError(DocumentError):
+    """A robot document is malformed."""
 
 
 class NetworkError(DocumentError):

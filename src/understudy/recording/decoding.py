@@ -1,7 +1,8 @@
 """From ROS 2 messages to the parts of an observation: our own recordings' and those of any robot's bag."""
 
+import logging
 import math
-from typing import cast
+from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,10 +21,14 @@ __all__ = [
     "joint_fraction",
     "odometry_of",
     "place",
+    "posture_of",
     "scan_of",
     "sonar_of",
+    "speeds_of",
     "stamp_ns",
 ]
+
+_log = logging.getLogger(__name__)
 
 
 def place(path: object, raw: RawMessage) -> str:
@@ -45,13 +50,16 @@ def stamp_ns(header: ros.std_msgs__msg__Header) -> int:
     return header.stamp.sec * 1_000_000_000 + header.stamp.nanosec
 
 
-def scan_of(message: ros.sensor_msgs__msg__LaserScan) -> Scan:
+def scan_of(message: ros.sensor_msgs__msg__LaserScan, *, zero_is_free: bool = False) -> Scan:
     """The scan of a driver, whatever its geometry. The array is its own, not a view of the file.
 
     By REP 117 a reading below ``range_min``, -inf among them, tells that something is too near to be measured, and by
-    older drivers' habit 0.0 tells that there is none. As a distance it would be an obstacle within the robot.
+    older drivers' habit 0.0 tells that there is none. As a distance it would be an obstacle within the robot. Of a
+    driver that gives 0.0 where nothing was met, ``zero_is_free`` says so.
     """
     ranges = np.array(message.ranges, np.float32)
+    if zero_is_free:
+        ranges[ranges == 0.0] = np.inf
     # Many drivers leave range_min at 0, and nothing is measured at no distance.
     ranges[(ranges < message.range_min) | (ranges <= 0.0)] = np.nan
     return Scan(
@@ -109,6 +117,31 @@ def image_of(path: object, raw: RawMessage) -> NDArray[np.uint8]:
     return decode_raw(
         image.data, encoding=image.encoding, height=image.height, width=image.width, step=image.step, where=where
     )
+
+
+def speeds_of(message: object, type_name: str) -> tuple[float, float]:
+    """The speeds in a ``Twist`` or a ``TwistStamped``: forward, m/s, and turning, rad/s."""
+    if type_name == "geometry_msgs/msg/TwistStamped":
+        message = cast(ros.geometry_msgs__msg__TwistStamped, message).twist
+    twist = cast(ros.geometry_msgs__msg__Twist, message)
+    return twist.linear.x, twist.angular.z
+
+
+def posture_of(
+    message: ros.std_msgs__msg__String, *, where: str
+) -> tuple[Literal["open", "close"] | None, Literal["up", "down"] | None]:
+    """What a gripper is told in words: its paddles, its lift; None where they are left as they are."""
+    paddles: Literal["open", "close"] | None = None
+    lift: Literal["up", "down"] | None = None
+    for word in message.data.lower().split():
+        match word:
+            case "open" | "close":
+                paddles = word
+            case "up" | "down":
+                lift = word
+            case _:
+                _log.warning("%s: passed over %r; the words are open, close, up, down", where, word)
+    return paddles, lift
 
 
 def joint_fraction(positions: dict[str, float], name: str, start: float, end: float) -> float | None:

@@ -16,7 +16,15 @@ from understudy.recording.images import PNG_FORMAT, encode_png
 from understudy.recording.topics import COMMAND_TOPIC, DEFAULT_TOPICS, OBSERVATION_TOPIC
 from understudy.robot import Command, GripperGeometry, GripperReading, Observation, RobotSpec
 
-__all__ = ["CommandEncoder", "ObservationEncoder", "TopicMessage", "nanoseconds", "string_message"]
+__all__ = [
+    "CommandEncoder",
+    "ObservationEncoder",
+    "TopicMessage",
+    "nanoseconds",
+    "stamp_of",
+    "string_message",
+    "twist_of",
+]
 
 _LATEST_S: Final = 2**31
 """A ROS 2 stamp counts its seconds in an int32."""
@@ -59,10 +67,12 @@ class ObservationEncoder:
 
     Args:
         spec: places the sonars' echoes and scales the gripper's joints.
+        live: for a network, as drivers publish: images raw and with the camera's numbers, and no exact message.
     """
 
-    def __init__(self, spec: RobotSpec) -> None:
+    def __init__(self, spec: RobotSpec, *, live: bool = False) -> None:
         self._spec = spec
+        self._live = live
         self._sonar_places = np.array([(p.x, p.y) for p in spec.sonar_poses], np.float64).reshape(-1, 2)
         self._sonar_directions = np.array(
             [(math.cos(p.heading), math.sin(p.heading)) for p in spec.sonar_poses], np.float64
@@ -70,14 +80,14 @@ class ObservationEncoder:
         self._mounts_told = False
 
     def messages(self, obs: Observation) -> Iterator[TopicMessage]:
-        """One control step. The exact message comes last: a step without it is not whole.
+        """One control step. In a recording the exact message comes last: a step without it is not whole.
 
         Raises:
             RecordingError: an array has another type or shape than the contract says, so it could not come back equal.
         """
         _check_array("scan.ranges", obs.scan.ranges)
         _check_array("sonar", obs.sonar)
-        stamp = _stamp(obs.time_s)
+        stamp = stamp_of(nanoseconds(obs.time_s))
         yield TopicMessage("/scan", "sensor_msgs/msg/LaserScan", _scan(obs, stamp))
         yield TopicMessage("/sonar", "sensor_msgs/msg/PointCloud2", self._sonar(obs.sonar, stamp))
         odometry = _odometry(obs, stamp)
@@ -85,7 +95,10 @@ class ObservationEncoder:
         yield TopicMessage("/tf", _TF_TYPE, _tf(_moved(odometry)))
         if not self._mounts_told:
             yield TopicMessage("/tf_static", _TF_TYPE, _tf(*_mounts(self._spec, stamp)))
-        if obs.image is not None:
+        if obs.image is not None and self._live:
+            yield TopicMessage("/camera/image_raw", "sensor_msgs/msg/Image", _raw_image(obs.image, stamp))
+            yield TopicMessage("/camera/camera_info", "sensor_msgs/msg/CameraInfo", _camera_info(self._spec, stamp))
+        elif obs.image is not None:
             image = ros.sensor_msgs__msg__CompressedImage(
                 header=_header(stamp, "camera"), format=PNG_FORMAT, data=encode_png(obs.image)
             )
@@ -98,7 +111,8 @@ class ObservationEncoder:
                 yield TopicMessage("/joint_states", "sensor_msgs/msg/JointState", joints)
         for cue in obs.cues:
             yield string_message("/cues", cue.value)
-        yield TopicMessage(OBSERVATION_TOPIC, OBSERVATION_TYPE, ExactObservation.of(obs))
+        if not self._live:
+            yield TopicMessage(OBSERVATION_TOPIC, OBSERVATION_TYPE, ExactObservation.of(obs))
         self._mounts_told = (
             True  # not before all messages of the step could be made: it is recorded whole or not at all
         )
@@ -143,7 +157,7 @@ class CommandEncoder:
         if told != self._told:
             words = " ".join(word for word in (command.paddles, command.lift) if word)
             yield string_message("/gripper/command", words)
-        twist = _twist(command.linear, command.angular)
+        twist = twist_of(command.linear, command.angular)
         yield TopicMessage("/cmd_vel", "geometry_msgs/msg/Twist", twist)
         yield TopicMessage(COMMAND_TOPIC, COMMAND_TYPE, ExactCommand.of(time_s, command))
         self._told = told  # not before all messages could be made: a command is recorded whole or not at all
@@ -162,8 +176,9 @@ def _check_array(name: str, array: NDArray[np.float32]) -> None:
         )
 
 
-def _stamp(time_s: float) -> ros.builtin_interfaces__msg__Time:
-    seconds, rest = divmod(nanoseconds(time_s), 1_000_000_000)
+def stamp_of(time_ns: int) -> ros.builtin_interfaces__msg__Time:
+    """A time in nanoseconds as a message's stamp."""
+    seconds, rest = divmod(time_ns, 1_000_000_000)
     return ros.builtin_interfaces__msg__Time(sec=seconds, nanosec=rest)
 
 
@@ -184,6 +199,38 @@ def _scan(obs: Observation, stamp: ros.builtin_interfaces__msg__Time) -> object:
         range_max=_float32(scan.range_max),
         ranges=scan.ranges,
         intensities=_NO_FLOATS32,
+    )
+
+
+def _raw_image(image: NDArray[np.uint8], stamp: ros.builtin_interfaces__msg__Time) -> object:
+    rows, width, _ = image.shape
+    return ros.sensor_msgs__msg__Image(
+        header=_header(stamp, "camera"),
+        height=rows,
+        width=width,
+        encoding="rgb8",
+        is_bigendian=0,
+        step=3 * width,
+        data=np.ascontiguousarray(image).reshape(-1),
+    )
+
+
+def _camera_info(spec: RobotSpec, stamp: ros.builtin_interfaces__msg__Time) -> object:
+    """A pinhole without distortion."""
+    camera = spec.camera
+    focal, column, row = camera.focal_px, (camera.width - 1) / 2, (camera.rows - 1) / 2
+    return ros.sensor_msgs__msg__CameraInfo(
+        header=_header(stamp, "camera"),
+        height=camera.rows,
+        width=camera.width,
+        distortion_model="plumb_bob",
+        d=np.zeros(5),
+        k=np.array([focal, 0.0, column, 0.0, focal, row, 0.0, 0.0, 1.0]),
+        r=np.eye(3).reshape(-1),
+        p=np.array([focal, 0.0, column, 0.0, 0.0, focal, row, 0.0, 0.0, 0.0, 1.0, 0.0]),
+        binning_x=0,
+        binning_y=0,
+        roi=ros.sensor_msgs__msg__RegionOfInterest(x_offset=0, y_offset=0, height=0, width=0, do_rectify=False),
     )
 
 
@@ -212,7 +259,7 @@ def _odometry(obs: Observation, stamp: ros.builtin_interfaces__msg__Time) -> ros
             covariance=_COVARIANCE,
         ),
         twist=ros.geometry_msgs__msg__TwistWithCovariance(
-            twist=_twist(obs.odometry.linear, obs.odometry.angular), covariance=_COVARIANCE
+            twist=twist_of(obs.odometry.linear, obs.odometry.angular), covariance=_COVARIANCE
         ),
     )
 
@@ -260,7 +307,8 @@ def _tf(*transforms: ros.geometry_msgs__msg__TransformStamped) -> ros.tf2_msgs__
     return ros.tf2_msgs__msg__TFMessage(transforms=list(transforms))
 
 
-def _twist(linear: float, angular: float) -> ros.geometry_msgs__msg__Twist:
+def twist_of(linear: float, angular: float) -> ros.geometry_msgs__msg__Twist:
+    """Speeds as ROS 2 has them, m/s and rad/s."""
     return ros.geometry_msgs__msg__Twist(
         linear=ros.geometry_msgs__msg__Vector3(x=linear, y=0.0, z=0.0),
         angular=ros.geometry_msgs__msg__Vector3(x=0.0, y=0.0, z=angular),

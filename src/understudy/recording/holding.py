@@ -70,13 +70,28 @@ class Held:
             case "cues":
                 self._hear(raw)
 
-    def observation(self, time_s: float, scan: ros.sensor_msgs__msg__LaserScan) -> Observation:
-        """What is held, with this scan; hands over the image and the cues."""
+    def hear(self, cue: Cue) -> None:
+        """Keeps a word that came some other way."""
+        self._cues.append(cue)
+
+    def observation(
+        self, time_s: float, scan: ros.sensor_msgs__msg__LaserScan, *, zero_is_free: bool = False
+    ) -> Observation:
+        """What is held, with this scan; hands over the image and the cues.
+
+        Args:
+            time_s: of the observation.
+            scan: the laser's message.
+            zero_is_free: the driver gives 0.0 where nothing was met.
+
+        Raises:
+            RecordingError: the image cannot be decoded.
+        """
         image, self._image = self._image, None
         cues, self._cues = tuple(self._cues), []
         return Observation(
             time_s=time_s,
-            scan=scan_of(scan),
+            scan=scan_of(scan, zero_is_free=zero_is_free),
             sonar=self._sonar.copy(),
             image=None if image is None else image_of(self._where, image),
             odometry=self._odometry,

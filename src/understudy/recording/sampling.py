@@ -9,22 +9,19 @@
 5. Scans before the first odometry are passed over: there is nothing to hold yet.
 """
 
-import logging
 from collections.abc import Iterator, Mapping
 from itertools import groupby
-from typing import Final, Literal, cast
+from typing import Final, cast
 
 from rosbags.typesys.stores import ros2_humble as ros
 
-from understudy.recording.decoding import decode, place, stamp_ns
+from understudy.recording.decoding import decode, place, posture_of, speeds_of, stamp_ns
 from understudy.recording.holding import Grid, Held
 from understudy.recording.source import Source
 from understudy.recording.topics import GripperJoints
 from understudy.robot import Command, Observation
 
 __all__ = ["sampled_commands", "sampled_observations"]
-
-_log = logging.getLogger(__name__)
 
 _SENSORS: Final = ("scan", "odom", "sonar", "image", "joint_states", "beam", "cues")
 
@@ -75,26 +72,9 @@ def sampled_commands(source: Source, roles: Mapping[str, str]) -> Iterator[tuple
         time_s = (raw.time_ns - first_scan.time_ns) / 1e9
         message = decode(source.path, raw)
         if wanted[raw.topic] == "cmd_vel":
-            stamped = raw.type == "geometry_msgs/msg/TwistStamped"
-            twist = (
-                cast(ros.geometry_msgs__msg__TwistStamped, message).twist
-                if stamped
-                else cast(ros.geometry_msgs__msg__Twist, message)
-            )
-            linear, angular = twist.linear.x, twist.angular.z
+            linear, angular = speeds_of(message, raw.type)
             yield time_s, Command(linear=linear, angular=angular)
             continue
-        paddles: Literal["open", "close"] | None = None
-        lift: Literal["up", "down"] | None = None
-        for word in cast(ros.std_msgs__msg__String, message).data.lower().split():
-            match word:
-                case "open" | "close":
-                    paddles = word
-                case "up" | "down":
-                    lift = word
-                case _:
-                    _log.warning(
-                        "%s: passed over %r; the words are open, close, up, down", place(source.path, raw), word
-                    )
+        paddles, lift = posture_of(cast(ros.std_msgs__msg__String, message), where=place(source.path, raw))
         if paddles or lift:
             yield time_s, Command(linear=linear, angular=angular, paddles=paddles, lift=lift)

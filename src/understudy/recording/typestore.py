@@ -5,6 +5,7 @@ reading an unknown file runs no code that was made from it.
 """
 
 from functools import cache
+from typing import Any
 
 from rosbags.serde import SerdeError
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
@@ -13,7 +14,7 @@ from rosbags.typesys.store import Typestore
 from understudy.errors import RecordingError
 from understudy.recording.exact import DEFINITIONS
 
-__all__ = ["decode_message", "encode_message", "message_definition"]
+__all__ = ["decode_message", "encode_message", "message_definition", "message_fields"]
 
 
 @cache
@@ -31,6 +32,18 @@ def message_definition(name: str) -> bytes:
         return DEFINITIONS[name].encode()  # with its comments, which the type store drops
     text, _ = _typestore().generate_msgdef(name, ros_version=2)
     return text.encode()
+
+
+def message_fields(name: str) -> list[tuple[str, Any]]:
+    """The fields of a message type, each with its kind as rosbags describes it.
+
+    Raises:
+        RecordingError: no such type is known.
+    """
+    definitions = _typestore().fielddefs
+    if name not in definitions:
+        raise RecordingError(f"no message type is called {name}; ROS 2 types are called like sensor_msgs/msg/LaserScan")
+    return list(definitions[name][1])
 
 
 def encode_message(message: object, name: str) -> bytes:

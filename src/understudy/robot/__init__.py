@@ -8,6 +8,7 @@ from understudy.robot.loop import DEADMAN_S, control
 from understudy.robot.observation import GripperReading, Observation, Odometry, Scan
 from understudy.robot.pioneer import PIONEER, CameraMount, GripperGeometry, LaserMount, RobotSpec
 from understudy.robot.protocol import Robot
+from understudy.robot.turtlebot import TURTLEBOT
 
 __all__ = [
     "DEADMAN_S",
@@ -15,6 +16,7 @@ __all__ = [
     "RGB",
     "STOP",
     "TEACHER_COLOR",
+    "TURTLEBOT",
     "CameraMount",
     "Color",
     "Command",

@@ -13,13 +13,14 @@ __all__ = ["PIONEER", "CameraMount", "GripperGeometry", "LaserMount", "RobotSpec
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LaserMount:
-    """Where the laser sits in the robot's frame, and what it gives."""
+    """Where the laser sits in the robot's frame, and what it gives: ``sweep`` is the angle that its rays cover."""
 
     x: float
     height: float
     rays: int
     range_max: float
     noise_std: float
+    sweep: float = math.pi
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,55 +1,100 @@
-"""ROS 2 message types as DDS knows them: made from the definitions, and carrying bytes that were serialised elsewhere.
+"""ROS 2 message types as DDS knows them: made from their definitions, carrying bytes that were serialised elsewhere.
 
-Cyclone DDS wants a Python class for every type. It needs the fields to tell other nodes what the type is; serialising by
-them takes 46 ms for a camera image, so the class only hands over the CDR bytes that rosbags has made.
+Cyclone DDS wants a Python class for every type. It needs the fields to tell others what the type is; serialising by
+them would take 46 ms for a camera image, so the class only hands over the CDR bytes that rosbags has made.
 """
 
 from functools import cache
 from typing import Any, Self
 
-from cyclonedds.idl import IdlStruct, make_idl_struct
-from cyclonedds.idl.types import array, float32, float64, int8, int16, int32, int64, sequence, uint8, uint16, uint32, uint64
+from cyclonedds.idl import IdlStruct, make_idl_struct, types
 from rosbags.interfaces import Nodetype
 
 from understudy.recording import message_fields
 
-__all__ = ["CdrSample", "dds_type_name", "sample_type"]
+__all__ = ["CdrSample", "dds_type_name", "ros_type_name", "sample_type"]
 
 _BASE: dict[str, Any] = {
     "bool": bool,
-    "byte": uint8,
-    "char": uint8,
-    "float32": float32,
-    "float64": float64,
-    "int8": int8,
-    "int16": int16,
-    "int32": int32,
-    "int64": int64,
+    "byte": types.byte,
+    "char": types.uint8,
+    "float32": types.float32,
+    "float64": types.float64,
+    "int8": types.int8,
+    "int16": types.int16,
+    "int32": types.int32,
+    "int64": types.int64,
     "string": str,
-    "uint8": uint8,
-    "uint16": uint16,
-    "uint32": uint32,
-    "uint64": uint64,
+    "uint8": types.uint8,
+    "uint16": types.uint16,
+    "uint32": types.uint32,
+    "uint64": types.uint64,
 }
+
+# Generic only in what Cyclone DDS makes of the subscript.
+_ARRAY: Any = types.array
+_SEQUENCE: Any = types.sequence
 
 
 class CdrSample(IdlStruct):
-    """A message as its CDR bytes, header included. Its subclasses are the types, see :func:`sample_type`."""
+    """A message as its CDR bytes with their header; its subclasses are the types."""
 
-    data: bytes
+    def __init__(self, cdr: bytes) -> None:
+        self.cdr = cdr
+
+    def serialize(self, buffer: object = None, endianness: object = None, use_version_2: object = None) -> bytes:
+        """The bytes as they are."""
+        return self.cdr
 
     @classmethod
-    def holding(cls, data: bytes) -> Self:
-        """A sample of this type with these bytes."""
-        sample = cls.__new__(cls)
-        sample.data = data
-        return sample
-
-    def serialize(self, buffer: Any = None, endianness: Any = None, use_version_2: bool | None = None) -> bytes:
+    def deserialize(cls, data: bytes, has_header: bool = True, use_version_2: object = None) -> Self:
         """The bytes as they are."""
-        return self.data
+        return cls(data)
 
     @classmethod
-    def deserialize(cls, data: bytes, has_header: bool = True, use_version_2: bool | None = None) -> Self:
-        """The bytes as they are."""
-        return cls.holding(data)
+    def deserialize_key(cls, data: bytes, has_header: bool = True, use_version_2: object = None) -> Self:
+        """What comes when a writer has gone; ROS 2 topics have no keys."""
+        return cls(data)
+
+
+def dds_type_name(name: str) -> str:
+    """``sensor_msgs/msg/Image`` as DDS calls it, ``sensor_msgs::msg::dds_::Image_``."""
+    package, kind, message = name.split("/")
+    return f"{package}::{kind}::dds_::{message}_"
+
+
+def ros_type_name(name: str) -> str:
+    """The inverse of :func:`dds_type_name`; what is no ROS 2 type keeps its name."""
+    match name.split("::"):
+        case package, kind, "dds_", message if message.endswith("_"):
+            return f"{package}/{kind}/{message[:-1]}"
+        case _:
+            return name
+
+
+@cache
+def sample_type(name: str) -> type[CdrSample]:
+    """The class of a ROS 2 message type.
+
+    Raises:
+        RecordingError: no such type is known.
+    """
+    fields = {field: _idl(kind) for field, kind in message_fields(name)}
+    type_name = dds_type_name(name).replace("::", ".")
+    made = make_idl_struct(name.rpartition("/")[2], type_name, fields, dataclassify=False, bases=(CdrSample,))
+    assert issubclass(made, CdrSample)
+    return made
+
+
+def _idl(kind: Any) -> Any:
+    """A field's type, from rosbags' description of it."""
+    node, detail = kind
+    match node:
+        case Nodetype.BASE:
+            return _BASE[detail[0]]
+        case Nodetype.NAME:
+            return sample_type(detail)
+        case Nodetype.ARRAY:
+            return _ARRAY[_idl(detail[0]), detail[1]]
+        case _:
+            return _SEQUENCE[_idl(detail[0])]

@@ -1,0 +1,20 @@
+"""Robots that speak ROS 2, with or without ROS installed (``docs/ros2.md``)."""
+
+from understudy.ros2.document import RobotDocument, find_robot, load_robot, parse_robot, robot_names, robot_schema
+from understudy.ros2.robot import Ros2Robot
+from understudy.ros2.serving import Served, TimeKeeping
+from understudy.ros2.transport import Transport, open_transport
+
+__all__ = [
+    "RobotDocument",
+    "Ros2Robot",
+    "Served",
+    "TimeKeeping",
+    "Transport",
+    "find_robot",
+    "load_robot",
+    "open_transport",
+    "parse_robot",
+    "robot_names",
+    "robot_schema",
+]
