@@ -24,6 +24,7 @@ from understudy.cli import (
     run,
     schema,
     show,
+    sim,
     teach,
 )
 from understudy.errors import UnderstudyError
@@ -79,6 +80,7 @@ app.command("experiment", help="Make the trials of an experiment, and tell how o
     experiment.command
 )
 app.add_typer(library.commands, name="tasks", help="The library: every task with all that it ever was.")
+app.command("sim", help="Simulate a world whose robot other programs command over ROS 2.")(sim.command)
 app.command("schema", help="Print the JSON Schema of a document.")(schema.command)
 app.command("doctor", help="What is installed, what is missing, and how to mend it.")(doctor.command)
 

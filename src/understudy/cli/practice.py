@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from understudy.cli import onboard
 from understudy.cli.keeping import Ran, edits_of, keeping
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, LibraryPlace, Misfits, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
@@ -14,19 +15,24 @@ from understudy.cli.tasks import named_task
 from understudy.cli.worlds import find_world
 
 if TYPE_CHECKING:
-    from understudy.figures import WhyWords
+    from collections.abc import Mapping
+
+    from understudy.behaviors import Skill
     from understudy.network import Network, Task
     from understudy.perception import Percepts
     from understudy.practice import Correction, Practice
 
-__all__ = ["command"]
+__all__ = ["command", "say_correction", "write_corrected"]
 
 
 def command(
     task: Annotated[Path, typer.Argument(help="A task document, or a task by its name.")],
     world: Annotated[
-        str, typer.Option("--world", "-w", help="A world whose teacher says BAD, or COME and GO; or a bundled one.")
-    ],
+        str | None,
+        typer.Option("--world", "-w", help="A world whose teacher says BAD, or COME and GO; or a bundled one."),
+    ] = None,
+    robot: onboard.Robot = None,
+    at_once: onboard.AtOnce = False,
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     seed: Seed = None,
     limit: Annotated[float, typer.Option(min=0.1, help="Seconds of simulated time allowed.")] = 600.0,
@@ -44,6 +50,21 @@ def command(
     document, network = named.task, named.network
     skills = installed_skills()
     compile_network(network, skills, source=named.source)
+    if robot is not None:
+        if world is not None:
+            raise typer.BadParameter("in a world, or with a robot? Give either --world or --robot")
+        onboard.practise(
+            robot,
+            document,
+            network,
+            workspace=workspace,
+            seed=seed,
+            limit_s=limit,
+            at_once=at_once,
+            as_json=as_json,
+        )
+    if world is None:
+        raise typer.BadParameter("in which world, or with which robot? Name one with --world or --robot")
     room = find_world(world)
     place = Workspace(workspace)
     stem = place.free(f"{document.name} practice", ".mcap", ".json", ".yaml")
@@ -68,20 +89,18 @@ def command(
             )
         except BaseException:
             # What the teacher has said until now must not be lost, whatever stopped the robot.
-            if latest and (saved := _keep(latest[0].network, network, document, stem)) is not None:
+            if latest and (saved := write_corrected(latest[0].network, network, document, stem)) is not None:
                 typer.echo(f"Corrected task so far in {saved}", err=True)
                 edits = edits_of(latest[0].corrections, document)
                 keep.edit(edits, misfits=bool(misfits), quiet=True).say(err=True)
             raise
     report = practised.report
-    corrected = _keep(report.network, network, document, stem)
+    corrected = write_corrected(report.network, network, document, stem)
     record = practised.as_record() | {"corrected": str(corrected) if corrected is not None else None}
     write_new(stem.with_suffix(".json"), json.dumps(record, indent=2) + "\n")
     if not as_json:
-        from understudy.figures import WhyWords  # noqa: PLC0415
-
         for correction in report.corrections:
-            _say(correction, WhyWords(correction.before, skills), WhyWords(correction.after, skills))
+            say_correction(correction, skills)
         for complaint in practised.complaints:
             typer.echo(f"  The teacher: {complaint}")
     ended = f"{'Done' if report.done else f'Not done ({report.ending})'} after {report.duration_s:.1f} s."
@@ -102,7 +121,7 @@ def command(
     raise typer.Exit(0 if report.done else 1)
 
 
-def _keep(corrected: "Network", network: "Network", document: "Task", stem: Path) -> Path | None:
+def write_corrected(corrected: "Network", network: "Network", document: "Task", stem: Path) -> Path | None:
     """Writes the corrected task, if there is anything to be written."""
     from understudy.network import Task, save_task  # noqa: PLC0415
 
@@ -113,8 +132,11 @@ def _keep(corrected: "Network", network: "Network", document: "Task", stem: Path
     return path
 
 
-def _say(correction: "Correction", before: "WhyWords", after: "WhyWords") -> None:
+def say_correction(correction: "Correction", skills: "Mapping[str, Skill]") -> None:
     """One correction in words, with the step that it was taken for."""
+    from understudy.figures import WhyWords  # noqa: PLC0415
+
+    before, after = WhyWords(correction.before, skills), WhyWords(correction.after, skills)
     head = f"  {correction.word} at {correction.time_s:.1f} s"
     if correction.meant:
         first = correction.meant[0]

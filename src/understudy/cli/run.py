@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from understudy.cli import onboard
 from understudy.cli.keeping import Ran, keeping
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, LibraryPlace, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
@@ -27,6 +28,8 @@ def command(
         Path, typer.Argument(help="A task document, or a task by its name; fetch@3 is its third revision.")
     ],
     world: Annotated[str | None, typer.Option("--world", "-w", help="A world document, or a bundled one.")] = None,
+    robot: onboard.Robot = None,
+    at_once: onboard.AtOnce = False,
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     seed: Seed = None,
     rearrange: Annotated[
@@ -72,6 +75,19 @@ def command(
     broken = [] if unchecked or resume is not None else broken_rules(network)
     if broken:
         raise NetworkError(f"{broken[0]}. Mend it, or run it as it is with --unchecked", source=named.source)
+    if robot is not None:
+        if (world, rearrange, pause_at, resume) != (None, None, None, None):
+            raise typer.BadParameter("--world, --rearrange, --pause-at and --resume are for simulated rooms")
+        onboard.perform(
+            robot,
+            document.name,
+            network,
+            workspace=workspace,
+            seed=seed,
+            limit_s=limit,
+            at_once=at_once,
+            as_json=as_json,
+        )
     past = None
     if resume is not None:
         if (world, rearrange, seed) != (None, None, None):
@@ -81,7 +97,9 @@ def command(
         past = take_up(resume, network, skills)
         room, seed = past.world, past.seed
     elif world is None:
-        raise typer.BadParameter("in which world? Name one with --world, or go on with a run by --resume")
+        raise typer.BadParameter(
+            "in which world? Name one with --world, or a robot with --robot; or go on with a run by --resume"
+        )
     else:
         room = find_world(world)
         if rearrange is not None:

@@ -16,6 +16,7 @@ class Document(StrEnum):
     TASK = "task"
     INTERVALS = "intervals"
     EXPERIMENT = "experiment"
+    ROBOT = "robot"
 
 
 def command(document: Annotated[Document, typer.Argument(help="Which document.")]) -> None:
@@ -37,4 +38,8 @@ def command(document: Annotated[Document, typer.Argument(help="Which document.")
             from understudy.experiments import experiment_schema  # noqa: PLC0415
 
             schema = experiment_schema()
+        case Document.ROBOT:
+            from understudy.ros2 import robot_schema  # noqa: PLC0415
+
+            schema = robot_schema()
     typer.echo(json.dumps(schema, indent=2))

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 
 import typer
 
+from understudy.cli import onboard
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, Name, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
 from understudy.cli.worlds import find_world
@@ -13,7 +14,10 @@ __all__ = ["command"]
 
 
 def command(
-    world: Annotated[str, typer.Argument(help="A world document, or a bundled one: transport, visit_targets.")],
+    world: Annotated[
+        str | None, typer.Argument(help="A world document, or a bundled one: transport, visit_targets.")
+    ] = None,
+    robot: onboard.Robot = None,
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     name: Name = None,
     seed: Seed = None,
@@ -27,10 +31,16 @@ def command(
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """The scripted teacher of a world leads its robot through the task. Exit code 1 if DONE was never said."""
+    """The scripted teacher of a world, or you a robot, leads through the task. Exit code 1 if DONE was never said."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.sessions import Workspace, teach  # noqa: PLC0415
 
+    if robot is not None:
+        if (world, seed) != (None, None):
+            raise typer.BadParameter("in a world, or with a robot? Name either WORLD or --robot")
+        onboard.teach(robot, workspace=workspace, name=name, as_json=as_json)
+    if world is None:
+        raise typer.BadParameter("in which world, or with which robot? Name WORLD or --robot")
     room = find_world(world)
     changed = {key: value for key, value in (("like", habits), ("heeds", heeds)) if value is not None}
     if changed:

@@ -16,6 +16,7 @@ from understudy.recording import Grid, Held, RawMessage, decode, stamp_ns
 from understudy.robot import Cue, Observation
 from understudy.ros2.document import RobotDocument
 from understudy.ros2.fitting import Fitting
+from understudy.ros2.frozen import Frozen
 from understudy.ros2.roles import Role, roles_of
 from understudy.ros2.transport import Subscription, Transport
 
@@ -28,6 +29,10 @@ _BLIND_S: Final = 2.0
 
 _LEAP_S: Final = 1.0
 """A clock that leaps so far in one sweep was set."""
+
+
+_STILL_S: Final = 0.3
+"""A sweep that came later than this ago came, but made no observation."""
 
 
 @dataclass(slots=True)
@@ -69,6 +74,7 @@ class Inputs:
         self._fitting = Fitting(document)
         self._held = Held(document.name, document.topics.joints, odometry_known=False)
         self._grid = Grid()
+        self._frozen = Frozen()
         self._stamp_ns = 0
         self._blind_told = False
         self.roles = roles_of(document)
@@ -125,6 +131,11 @@ class Inputs:
             raise RobotError(str(error)) from error
         if observation is None:
             return None
+        if self._frozen.notices(observation):
+            raise RobotError(
+                f"{self.listening['scan'].topic} brings the same sweep again and again, while the wheels turn;"
+                " start the laser's driver again"
+            )
         self._check_publishers()
         self._check_ages(seen=observation.image is not None)
         return self._fitting.observation(observation)
@@ -200,4 +211,6 @@ class Inputs:
         if listening is None or listening.last_s is None:
             return f"{role.topic} is published, but nothing has come; is the {role.what} running?"
         age_s = self._clock.now() - listening.last_s
+        if role.name == "scan" and age_s < _STILL_S:
+            return f"the stamps on {listening.topic} stand still, or were set back; check the clock of the {role.what}"
         return f"nothing came on {listening.topic} for {age_s:.1f} s; check the {role.what} and the connection"

@@ -81,8 +81,8 @@ def roles_of(document: RobotDocument) -> tuple[Role, ...]:
     """Everything that a robot should publish, by its document. The scan comes last: whoever sees us listen to it knows
     that we listen to all of them.
     """
-    # A laser that is late by so much has stopped the robot already; in simulation time stands still between two steps.
-    fresh_s = document.deadman_s
+    # Looked at with every sweep, which may be a control period later.
+    fresh_s = 0.8 * document.deadman_s
     camera, hand, sonar = document.camera, document.gripper, document.sonar
     roles = []
     if document.cues is not None:

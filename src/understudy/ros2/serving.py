@@ -80,6 +80,7 @@ class Served:
             if type_name.endswith(f"/{short}")
         ]
         self._command, self._told_s = STOP, self._clock.now()
+        self._commanded = False
         # All of them from the beginning: who listens to a topic that comes later misses its first message.
         self._publication(string_message(DEFAULT_TOPICS.cues or "", ""))
         self._publish(self._messages(robot.sense()))
@@ -97,6 +98,11 @@ class Served:
                 due_s = step(due_s, until)
         finally:
             self._robot.stop()
+
+    @property
+    def deserted(self) -> bool:
+        """Whether somebody commanded the robot, and nobody listens to it any more."""
+        return self._commanded and not self._awaited()
 
     def _timed_step(self, due_s: float, until: Callable[[], bool]) -> float:
         self._publish(self._messages(self._robot.sense()))
@@ -131,7 +137,7 @@ class Served:
         return due_s
 
     def _awaited(self) -> bool:
-        """Whether somebody listens, for as long as there is nobody it makes no sense to go on."""
+        """Whether somebody listens to the robot."""
         return bool(self._transport.subscribers(DEFAULT_TOPICS.scan))
 
     def _listen(self) -> bool:
@@ -148,7 +154,7 @@ class Served:
                 else:
                     linear, angular = speeds_of(message, type_name)
                     self._command = replace(self._command, linear=linear, angular=angular)
-                    self._told_s, told = self._clock.now(), True
+                    self._told_s, self._commanded, told = self._clock.now(), True, True
         return told
 
     def _messages(self, observation: Observation) -> Iterator[TopicMessage]:

@@ -1,5 +1,14 @@
 """What a person does in one sitting: a demonstration taught, a task run, in a simulated room, recorded and judged."""
 
+from understudy.sessions.onboard import (
+    Capability,
+    await_start,
+    capabilities,
+    check_capable,
+    perform_with,
+    practise_with,
+    teach_with,
+)
 from understudy.sessions.past import Past, past_at, take_up
 from understudy.sessions.practising import Practised, practise
 from understudy.sessions.recorded import limit_of, seed_of, spec_of, task_of, world_of
@@ -10,6 +19,7 @@ from understudy.sessions.whatif import Divergence, WhatIf, what_if
 from understudy.sessions.workspace import Workspace, file_stem
 
 __all__ = [
+    "Capability",
     "Divergence",
     "Past",
     "Performed",
@@ -19,17 +29,23 @@ __all__ = [
     "Verdict",
     "WhatIf",
     "Workspace",
+    "await_start",
+    "capabilities",
+    "check_capable",
     "file_stem",
     "limit_of",
     "past_at",
     "perform",
+    "perform_with",
     "practise",
+    "practise_with",
     "recorded_demonstration",
     "seed_of",
     "spec_of",
     "take_up",
     "task_of",
     "teach",
+    "teach_with",
     "what_if",
     "world_of",
 ]

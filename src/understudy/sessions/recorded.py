@@ -4,15 +4,16 @@ from collections.abc import Mapping
 from typing import Any
 
 from understudy.documents import parse_text
-from understudy.errors import DocumentError, NetworkError, RecordingError, WorldError
+from understudy.errors import DocumentError, NetworkError, RecordingError, RobotDocumentError, WorldError
 from understudy.network import Network, Task, parse_task
 from understudy.recording import Recording
-from understudy.robot import PIONEER, RobotSpec
+from understudy.robot import PIONEER, TURTLEBOT, RobotSpec
+from understudy.ros2 import parse_robot
 from understudy.sim import World
 
 __all__ = ["limit_of", "seed_of", "spec_of", "task_of", "world_of"]
 
-_ROBOTS: Mapping[str, RobotSpec] = {PIONEER.name: PIONEER}
+_ROBOTS: Mapping[str, RobotSpec] = {spec.name: spec for spec in (PIONEER, TURTLEBOT)}
 
 
 def spec_of(recording: Recording) -> RobotSpec:
@@ -20,7 +21,11 @@ def spec_of(recording: Recording) -> RobotSpec:
 
     Raises:
         RecordingError: it is of a robot that is not known here.
+        RobotDocumentError: what is attached is no robot.
     """
+    name = "robot.yaml"
+    if name in recording.info.attachments:
+        return parse_robot(_attached(recording, name, RobotDocumentError), source=_source(recording, name)).spec
     robot = recording.info.robot or PIONEER.name
     if robot not in _ROBOTS:
         raise RecordingError(

@@ -1,0 +1,222 @@
+"""A sitting with a robot of another process, or a real one: taught, run, practised, recorded; nobody else judges it."""
+
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+from understudy.behaviors import Actuator, Skill
+from understudy.errors import SkillError
+from understudy.execution import Controller, Decision, RunReport, compile_network, go_on
+from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate
+from understudy.network import Component, Network, Task, task_text
+from understudy.perception import Perception, Percepts
+from understudy.practice import Practice, PracticeReport
+from understudy.recording import Recorder, RecordingKind
+from understudy.robot import STOP, Cue, Robot, RobotSpec
+from understudy.ros2 import RobotDocument
+
+__all__ = ["Capability", "await_start", "capabilities", "check_capable", "perform_with", "practise_with", "teach_with"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Capability:
+    """Whether a skill binds on a robot.
+
+    Attributes:
+        skill: its name.
+        missing: what the robot has not and the skill needs; empty if it binds.
+    """
+
+    skill: str
+    missing: str
+
+
+def capabilities(skills: Mapping[str, Skill], spec: RobotSpec) -> tuple[Capability, ...]:
+    """Which skills bind on a robot, and which do not, and why: one lesson may be for many robots.
+
+    Args:
+        skills: by name.
+        spec: the robot.
+    """
+    return tuple(
+        Capability(
+            skill=name,
+            missing="a gripper" if Actuator.GRIPPER in skill.abstract.actuators and spec.gripper is None else "",
+        )
+        for name, skill in skills.items()
+    )
+
+
+def check_capable(network: Network, skills: Mapping[str, Skill], spec: RobotSpec) -> None:
+    """Refuses a task that a robot cannot do.
+
+    Args:
+        network: the task.
+        skills: by name.
+        spec: the robot.
+
+    Raises:
+        SkillError: a step's skill does not bind on the robot.
+    """
+    missing = {one.skill: one.missing for one in capabilities(skills, spec)}
+    asked = {part.behavior for part in network.by_path.values() if isinstance(part, Component)}
+    unbound = [f"{name} (needs {missing[name]})" for name in skills if name in asked and missing[name]]
+    if unbound:
+        raise SkillError(
+            f"{spec.name} cannot do this task: {', '.join(unbound)}; run it on a robot that has one, or take these"
+            " steps out of the task"
+        )
+
+
+def await_start(robot: Robot, started: Callable[[], bool]) -> None:
+    """Nothing moves before somebody says START, or ``started`` tells so.
+
+    Raises:
+        RobotError: the robot's readings stop coming meanwhile.
+    """
+    while not started():
+        if Cue.START in robot.sense().cues:
+            return
+        robot.act(STOP)
+        robot.wait()
+
+
+def teach_with(
+    robot: Robot,
+    document: RobotDocument,
+    skills: Mapping[str, Skill],
+    *,
+    name: str,
+    settings: LearningSettings | None = None,
+    recording: Path | None = None,
+    limit_s: float = 600.0,
+    watch: Callable[[Percepts, Observer], None] | None = None,
+) -> Demonstration:
+    """A person leads the robot through a task; it begins with START.
+
+    Args:
+        robot: is connected.
+        document: what it is.
+        skills: by name.
+        name: of the demonstration.
+        settings: of the learner.
+        recording: the file to be written, which must not exist; None records nothing.
+        limit_s: after which the demonstration is ended.
+        watch: is called after every tick.
+
+    Raises:
+        RobotError: the robot's readings cannot be used, or stop coming.
+        LearningError: START was never said.
+        RecordingError: the file exists or cannot be written.
+    """
+    with ExitStack() as stack:
+        journal = None
+        if recording is not None:
+            journal = stack.enter_context(_recorder(recording, "demonstration", name, document))
+        return demonstrate(robot, skills, settings, name=name, limit_s=limit_s, journal=journal, watch=watch)
+
+
+def perform_with(
+    robot: Robot,
+    document: RobotDocument,
+    name: str,
+    network: Network,
+    skills: Mapping[str, Skill],
+    *,
+    seed: int = 0,
+    limit_s: float = 300.0,
+    recording: Path | None = None,
+    watch: Callable[[Percepts, Decision], None] | None = None,
+) -> RunReport:
+    """The robot executes a task.
+
+    Args:
+        robot: is connected, and somebody said that it may start.
+        document: what it is.
+        name: of the task.
+        network: the task.
+        skills: by name.
+        seed: of the search.
+        limit_s: the time allowed.
+        recording: the file to be written, which must not exist; None records nothing.
+        watch: is called after every tick.
+
+    Raises:
+        NetworkError: the network does not fit the skills.
+        SkillError: a skill does not bind on this robot.
+        RobotError: the robot's readings cannot be used, or stop coming.
+        RecordingError: the file exists or cannot be written.
+    """
+    compile_network(network, skills)  # a task that does not fit is refused before anything is written
+    check_capable(network, skills, robot.spec)
+    controller = Controller(network, skills, robot.spec, seed=seed)
+    perception = Perception(robot.spec, attention=controller.program.attention)
+    with ExitStack() as stack:
+        journal = None
+        if recording is not None:
+            journal = stack.enter_context(_recorder(recording, "run", name, document, network, seed, limit_s))
+        return go_on(robot, controller, perception, limit_s=limit_s, journal=journal, watch=watch)
+
+
+def practise_with(
+    robot: Robot,
+    document: RobotDocument,
+    name: str,
+    network: Network,
+    skills: Mapping[str, Skill],
+    *,
+    seed: int = 0,
+    settings: LearningSettings | None = None,
+    limit_s: float = 600.0,
+    recording: Path | None = None,
+    watch: Callable[[Percepts, Practice], None] | None = None,
+) -> PracticeReport:
+    """The robot practises a task while a person says BAD, or COME and GO.
+
+    Args:
+        robot: is connected, and somebody said that it may start.
+        document: what it is.
+        name: of the task.
+        network: the task.
+        skills: by name.
+        seed: of the search.
+        settings: of the learner.
+        limit_s: the time allowed.
+        recording: the file to be written, which must not exist; None records nothing.
+        watch: is called after every tick.
+
+    Raises:
+        NetworkError: the network does not fit the skills.
+        SkillError: a skill does not bind on this robot.
+        RobotError: the robot's readings cannot be used, or stop coming.
+        RecordingError: the file exists or cannot be written.
+    """
+    compile_network(network, skills)
+    check_capable(network, skills, robot.spec)
+    practice = Practice(robot, network, skills, seed=seed, settings=settings, name=f"practice of {name}")
+    with ExitStack() as stack:
+        journal = None
+        if recording is not None:
+            recorder = _recorder(recording, "run", name, document, network, seed, limit_s, practice="yes")
+            journal = stack.enter_context(recorder)
+        look = None if watch is None else lambda percepts: watch(percepts, practice)
+        return practice.run(limit_s=limit_s, journal=journal, watch=look)
+
+
+def _recorder(
+    path: Path,
+    kind: RecordingKind,
+    name: str,
+    document: RobotDocument,
+    network: Network | None = None,
+    seed: int = 0,
+    limit_s: float = 0.0,
+    **more: str,
+) -> Recorder:
+    """A recording that says of which robot it is, so that it can be learned from without its document."""
+    attachments = {"robot.yaml": document.to_yaml().encode()}
+    if network is not None:
+        attachments["task.yaml"] = task_text(Task.of(name, network)).encode()
+        more = {"seed": str(seed), "limit_s": f"{limit_s:g}", **more}
+    return Recorder(path, kind=kind, name=name, spec=document.spec, metadata=more, attachments=attachments)
