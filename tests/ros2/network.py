@@ -3,7 +3,7 @@
 import heapq
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import count
 
 import numpy as np
@@ -11,7 +11,7 @@ from rosbags.typesys.stores import ros2_humble as ros
 
 from understudy.geometry import Pose
 from understudy.recording import ObservationEncoder, decode_message, encode_message
-from understudy.robot import TURTLEBOT, Observation, Odometry, RobotSpec, Scan
+from understudy.robot import TURTLEBOT, GripperReading, Observation, Odometry, RobotSpec, Scan
 from understudy.ros2.transport import COMMANDS, SENSORS, Endpoint, Qos
 
 TWIST = "geometry_msgs/msg/Twist"
@@ -164,6 +164,8 @@ class Base:
         self._encoder = ObservationEncoder(spec, live=True)
         self._writers: dict[str, Writer] = {}
         self.reader = self.node.subscribe("/cmd_vel", speeds, COMMANDS)
+        if spec.gripper is not None:
+            self.gripper = self.node.subscribe("/gripper/command", "std_msgs/msg/String", COMMANDS)
         self.tick()
 
     def tick(self) -> None:
@@ -181,6 +183,7 @@ class Base:
                 sonar=np.zeros(0, np.float32),
                 image=np.zeros((120, 160, 3), np.uint8),
                 odometry=Odometry(pose=Pose(0.02 * self.steps, 0.0, 0.0), linear=0.2),
+                gripper=GripperReading(aperture=0.5) if self.spec.gripper is not None else None,
             )
         )
         if observation is not None:
@@ -219,8 +222,3 @@ class Base:
             qos = self._qos.get(topic, SENSORS)
             self._writers[topic] = self.node.publish(topic, self._types.get(topic, kind), qos)
         return self._writers[topic]
-
-
-def still(observation: Observation) -> Observation:
-    """The robot does not move."""
-    return replace(observation, odometry=Odometry())

@@ -4,6 +4,7 @@ A topic ``/scan`` is the DDS topic ``rt/scan``. Everything happens in the thread
 when the interpreter ends made it hang.
 """
 
+import gc
 import logging
 from collections.abc import Iterator
 from typing import Final
@@ -24,6 +25,7 @@ from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 from cyclonedds.util import duration
 
+from understudy.clock import WallClock
 from understudy.errors import RobotError
 from understudy.ros2.idl import CdrSample, ros_type_name, sample_type
 from understudy.ros2.transport import Endpoint, Qos
@@ -62,7 +64,8 @@ class CycloneTransport:
         self._own = self._participant.guid
         self._waitset = WaitSet(self._participant)
         self._topics: dict[tuple[str, str], Topic[CdrSample]] = {}
-        self._writers: list[DataWriter[CdrSample]] = []
+        self._readers: list[_Reader] = []
+        self._writers: list[_Writer] = []
         self._publishers = _Endpoints(self._participant, BuiltinTopicDcpsPublication)
         self._subscribers = _Endpoints(self._participant, BuiltinTopicDcpsSubscription)
 
@@ -70,13 +73,14 @@ class CycloneTransport:
         """Messages of a topic; only those of this type are received."""
         reader = DataReader(self._participant, self._topic(topic, type_name), qos=_dds(qos))
         self._waitset.attach(ReadCondition(reader, _ANY))
-        return _Reader(reader, qos.depth)
+        self._readers.append(_Reader(reader, qos.depth))
+        return self._readers[-1]
 
     def publish(self, topic: str, type_name: str, qos: Qos) -> "_Writer":
         """A way to publish on a topic."""
         writer = DataWriter(self._participant, self._topic(topic, type_name), qos=_dds(qos))
-        self._writers.append(writer)
-        return _Writer(writer, sample_type(type_name))
+        self._writers.append(_Writer(writer, sample_type(type_name)))
+        return self._writers[-1]
 
     def publishers(self, topic: str) -> tuple[Endpoint, ...]:
         """Who publishes on a topic, but for this node."""
@@ -96,14 +100,17 @@ class CycloneTransport:
 
     def close(self) -> None:
         """Leaves the network, after what was published has been received or a second has passed."""
+        clock = WallClock()
         for writer in self._writers:
-            try:
-                writer.wait_for_acks(duration(seconds=_LINGER_S))
-            except DDSException as error:
-                _log.debug("not all was received: %s", error)
+            writer.close(max(0.0, _LINGER_S - clock.now()))
+        for reader in self._readers:
+            reader.close()
         self._writers.clear()
+        self._readers.clear()
         self._topics.clear()
         del self._waitset, self._publishers, self._subscribers, self._participant
+        # Cyclone DDS's readers refer to themselves in a circle, which would keep us in the network.
+        gc.collect()
 
     def _topic(self, topic: str, type_name: str) -> Topic[CdrSample]:
         key = topic, type_name
@@ -114,29 +121,49 @@ class CycloneTransport:
 
 class _Reader:
     def __init__(self, reader: DataReader[CdrSample], depth: int) -> None:
-        self._reader, self._depth = reader, depth
+        self._reader: DataReader[CdrSample] | None = reader
+        self._depth = depth
 
     def take(self) -> list[bytes]:
-        """All that came since the last call."""
-        return [sample.cdr for sample in self._reader.take(self._depth) if isinstance(sample, CdrSample)]
+        """All that came since the last call; nothing after the end."""
+        taken = self._reader.take(self._depth) if self._reader is not None else []
+        return [sample.cdr for sample in taken if isinstance(sample, CdrSample)]
+
+    def close(self) -> None:
+        """Lets go of the reader."""
+        self._reader = None
 
 
 class _Writer:
     def __init__(self, writer: DataWriter[CdrSample], kind: type[CdrSample]) -> None:
-        self._writer, self._kind = writer, kind
+        self._writer: DataWriter[CdrSample] | None = writer
+        self._kind = kind
 
     def publish(self, data: bytes) -> None:
-        """Sends a message.
+        """Sends a message; none after the end.
 
         Raises:
             RobotError: the network does not take it.
         """
+        if self._writer is None:
+            return
         try:
             self._writer.write(self._kind(data))
         except DDSException as error:
             raise RobotError(
                 f"{self._writer.topic.name} cannot be published ({error.msg}); check the network"
             ) from error
+
+    def close(self, patience_s: float) -> None:
+        """Waits until what was published has been received, at most so long, and lets go of the writer."""
+        if self._writer is None:
+            return
+        try:
+            self._writer.wait_for_acks(duration(seconds=patience_s))
+        except (DDSException, AttributeError) as error:
+            # Where it takes too long, Cyclone DDS 11.0.1 looks the code of that up in the wrong class.
+            _log.debug("not all was received: %s", error)
+        self._writer = None
 
 
 class _Endpoints:

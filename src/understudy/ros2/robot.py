@@ -166,6 +166,9 @@ class Ros2Robot:
             self.emergency_stop(f"{self.document.emergency_stop} is true; make it false, and start again")
         if observation is None:
             return False
+        unheard = self._observation.cues if self._observation is not None else ()
+        if unheard:
+            observation = replace(observation, cues=unheard + observation.cues)
         self._observation, self._news_s, self._fresh = observation, self._clock.now(), True
         return True
 
