@@ -13,7 +13,10 @@ import understudy
 
 ROOT = Path(__file__).parent.parent
 MODULES = sorted(
-    module.name for module in pkgutil.walk_packages(understudy.__path__, "understudy.") if "__main__" not in module.name
+    module.name
+    for module in pkgutil.walk_packages(understudy.__path__, "understudy.")
+    # The one is a program; the other needs ROS 2, which no package index has, and is tested with a stand-in for it.
+    if "__main__" not in module.name and module.name != "understudy.ros2.ros_client"
 )
 
 
@@ -39,7 +42,7 @@ def test_a_room_offers_only_what_its_files_export(name: str) -> None:
     files = [
         importlib.import_module(module.name)
         for module in pkgutil.iter_modules(room.__path__, f"{name}.")
-        if "__main__" not in module.name
+        if module.name in MODULES
     ]
     offered = {exported for file in files for exported in file.__all__}
     assert set(room.__all__) <= offered

@@ -7,7 +7,7 @@ when the interpreter ends made it hang.
 import gc
 import logging
 from collections.abc import Iterator
-from typing import Final
+from typing import Any, Final
 from uuid import UUID
 
 from cyclonedds.builtin import (
@@ -20,6 +20,7 @@ from cyclonedds.builtin import (
 from cyclonedds.core import DDSException, InstanceState, Policy, ReadCondition, SampleState, ViewState, WaitSet
 from cyclonedds.core import Qos as DdsQos
 from cyclonedds.domain import DomainParticipant
+from cyclonedds.internal import InvalidSample
 from cyclonedds.pub import DataWriter
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
@@ -27,7 +28,7 @@ from cyclonedds.util import duration
 
 from understudy.clock import WallClock
 from understudy.errors import RobotError
-from understudy.ros2.idl import CdrSample, ros_type_name, sample_type
+from understudy.ros2.idl import ros_type_name, sample_type
 from understudy.ros2.transport import Endpoint, Qos
 
 __all__ = ["CycloneTransport"]
@@ -63,7 +64,7 @@ class CycloneTransport:
             ) from error
         self._own = self._participant.guid
         self._waitset = WaitSet(self._participant)
-        self._topics: dict[tuple[str, str], Topic[CdrSample]] = {}
+        self._topics: dict[tuple[str, str], Topic[Any]] = {}
         self._readers: list[_Reader] = []
         self._writers: list[_Writer] = []
         self._publishers = _Endpoints(self._participant, BuiltinTopicDcpsPublication)
@@ -112,7 +113,7 @@ class CycloneTransport:
         # Cyclone DDS's readers refer to themselves in a circle, which would keep us in the network.
         gc.collect()
 
-    def _topic(self, topic: str, type_name: str) -> Topic[CdrSample]:
+    def _topic(self, topic: str, type_name: str) -> Topic[Any]:
         key = topic, type_name
         if key not in self._topics:
             self._topics[key] = Topic(self._participant, f"{_PREFIX}{topic}", sample_type(type_name))
@@ -120,14 +121,14 @@ class CycloneTransport:
 
 
 class _Reader:
-    def __init__(self, reader: DataReader[CdrSample], depth: int) -> None:
-        self._reader: DataReader[CdrSample] | None = reader
+    def __init__(self, reader: DataReader[Any], depth: int) -> None:
+        self._reader: DataReader[Any] | None = reader
         self._depth = depth
 
     def take(self) -> list[bytes]:
         """All that came since the last call; nothing after the end."""
         taken = self._reader.take(self._depth) if self._reader is not None else []
-        return [sample.cdr for sample in taken if isinstance(sample, CdrSample)]
+        return [sample.cdr for sample in taken if not isinstance(sample, InvalidSample)]
 
     def close(self) -> None:
         """Lets go of the reader."""
@@ -135,8 +136,8 @@ class _Reader:
 
 
 class _Writer:
-    def __init__(self, writer: DataWriter[CdrSample], kind: type[CdrSample]) -> None:
-        self._writer: DataWriter[CdrSample] | None = writer
+    def __init__(self, writer: DataWriter[Any], kind: Any) -> None:
+        self._writer: DataWriter[Any] | None = writer
         self._kind = kind
 
     def publish(self, data: bytes) -> None:

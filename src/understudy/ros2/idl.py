@@ -5,14 +5,14 @@ them would take 46 ms for a camera image, so the class only hands over the CDR b
 """
 
 from functools import cache
-from typing import Any, Self
+from typing import Any, cast
 
-from cyclonedds.idl import IdlStruct, make_idl_struct, types
+from cyclonedds.idl import make_idl_struct, types
 from rosbags.interfaces import Nodetype
 
 from understudy.recording import message_fields
 
-__all__ = ["CdrSample", "dds_type_name", "ros_type_name", "sample_type"]
+__all__ = ["dds_type_name", "ros_type_name", "sample_type"]
 
 _BASE: dict[str, Any] = {
     "bool": bool,
@@ -36,27 +36,6 @@ _ARRAY: Any = types.array
 _SEQUENCE: Any = types.sequence
 
 
-class CdrSample(IdlStruct):
-    """A message as its CDR bytes with their header; its subclasses are the types."""
-
-    def __init__(self, cdr: bytes) -> None:
-        self.cdr = cdr
-
-    def serialize(self, buffer: object = None, endianness: object = None, use_version_2: object = None) -> bytes:
-        """The bytes as they are."""
-        return self.cdr
-
-    @classmethod
-    def deserialize(cls, data: bytes, has_header: bool = True, use_version_2: object = None) -> Self:
-        """The bytes as they are."""
-        return cls(data)
-
-    @classmethod
-    def deserialize_key(cls, data: bytes, has_header: bool = True, use_version_2: object = None) -> Self:
-        """What comes when a writer has gone; ROS 2 topics have no keys."""
-        return cls(data)
-
-
 def dds_type_name(name: str) -> str:
     """``sensor_msgs/msg/Image`` as DDS calls it, ``sensor_msgs::msg::dds_::Image_``."""
     package, kind, message = name.split("/")
@@ -73,17 +52,32 @@ def ros_type_name(name: str) -> str:
 
 
 @cache
-def sample_type(name: str) -> type[CdrSample]:
-    """The class of a ROS 2 message type.
+def sample_type(name: str) -> Any:
+    """The class of a ROS 2 message type. It is made from a message's CDR bytes, and holds them as ``cdr``.
 
     Raises:
         RecordingError: no such type is known.
     """
     fields = {field: _idl(kind) for field, kind in message_fields(name)}
     type_name = dds_type_name(name).replace("::", ".")
-    made = make_idl_struct(name.rpartition("/")[2], type_name, fields, dataclassify=False, bases=(CdrSample,))
-    assert issubclass(made, CdrSample)
+    made: Any = make_idl_struct(name.rpartition("/")[2], type_name, fields, dataclassify=False)
+    # Not by a common base class: that would be told to others as a part of the type, which they do not know.
+    made.__init__ = _hold
+    made.serialize = _held
+    made.deserialize = made.deserialize_key = classmethod(_holding)
     return made
+
+
+def _hold(self: Any, cdr: bytes) -> None:
+    self.cdr = cdr
+
+
+def _held(self: Any, **how: object) -> bytes:
+    return cast(bytes, self.cdr)
+
+
+def _holding(kind: Any, data: bytes, /, **how: object) -> Any:
+    return kind(data)
 
 
 def _idl(kind: Any) -> Any:
