@@ -4,9 +4,11 @@ import json
 import platform
 import sys
 from importlib.metadata import PackageNotFoundError, version
+from typing import Annotated
 
 import typer
 
+from understudy.cli import onboard
 from understudy.cli.options import Json
 
 __all__ = ["command"]
@@ -31,18 +33,17 @@ _OPTIONAL = {
     "up-fast-downward": "tasks from goals, another planner",
     "distributed": "trials on many workers",
     "jinja2": "reports as pages",
+    "cyclonedds": "ROS 2 robots, without ROS",
 }
 
 
-def command(as_json: Json = False) -> None:
-    """Checks the installation. Exit code 1 if something is missing."""
-    findings = [
-        _python(),
-        *(_package(name, purpose) for name, purpose in _NEEDED.items()),
-        *(_extra(name, purpose) for name, purpose in _OPTIONAL.items()),
-        _simulator(),
-        _skills(),
-    ]
+def command(
+    robot: onboard.Robot = None,
+    seconds: Annotated[float, typer.Option(min=0.5, help="With --robot: how long to listen.")] = 5.0,
+    as_json: Json = False,
+) -> None:
+    """Checks the installation, or with --robot a robot's topics. Exit code 1 if something is missing."""
+    findings = _topics(robot, seconds) if robot is not None else _installation()
     if as_json:
         typer.echo(json.dumps(findings))
     else:
@@ -51,6 +52,42 @@ def command(as_json: Json = False) -> None:
             if finding["mend"]:
                 typer.echo(f"     mend: {finding['mend']}")
     raise typer.Exit(0 if all(finding["ok"] for finding in findings) else 1)
+
+
+def _installation() -> list[dict[str, object]]:
+    return [
+        _python(),
+        *(_package(name, purpose) for name, purpose in _NEEDED.items()),
+        *(_extra(name, purpose) for name, purpose in _OPTIONAL.items()),
+        _simulator(),
+        _skills(),
+    ]
+
+
+def _topics(robot: str, seconds: float) -> list[dict[str, object]]:
+    """Every input and output of a robot, and which skills bind on it."""
+    from understudy.behaviors import installed_skills  # noqa: PLC0415
+    from understudy.ros2 import examine, find_robot, open_transport  # noqa: PLC0415
+    from understudy.sessions import capabilities  # noqa: PLC0415
+
+    document = find_robot(robot)
+    transport = open_transport(document.transport, domain=document.domain)
+    try:
+        found = examine(document, transport, seconds=seconds)
+    finally:
+        transport.close()
+    topics = [
+        _finding(one.what, one.ok, one.told(), one.fault) | ({"topic": one.as_record()} if one.topic else {})
+        for one in found
+    ]
+    bound = capabilities(installed_skills(), document.spec)
+    return [
+        *topics,
+        *(
+            _finding(one.skill, True, f"does not bind: needs {one.missing}" if one.missing else "binds")
+            for one in bound
+        ),
+    ]
 
 
 def _finding(what: str, ok: bool, found: str, mend: str = "") -> dict[str, object]:

@@ -1,5 +1,6 @@
 """Robots that speak ROS 2, with or without ROS installed (``docs/ros2.md``)."""
 
+from understudy.ros2.checks import TopicFinding, examine
 from understudy.ros2.document import RobotDocument, find_robot, load_robot, parse_robot, robot_names, robot_schema
 from understudy.ros2.robot import Ros2Robot
 from understudy.ros2.serving import Served, TimeKeeping
@@ -10,7 +11,9 @@ __all__ = [
     "Ros2Robot",
     "Served",
     "TimeKeeping",
+    "TopicFinding",
     "Transport",
+    "examine",
     "find_robot",
     "load_robot",
     "open_transport",

@@ -37,15 +37,19 @@ class Outputs:
         self._speeds = (0.0, 0.0)
         self._halted = False
 
+    def examined(self) -> tuple[tuple[str, str, str], ...]:
+        """What each topic is for, its name, and what keeps the robot from hearing us on it; empty if nothing does."""
+        topic, types = self._drive.topic, self._types()
+        found = [("speeds", topic, output_fault(topic, "drive.topic", types, self._transport.subscribers(topic)))]
+        if (hand := self._gripper_topic) is not None:
+            fault = output_fault(hand, "gripper.command", [_WORDS], self._transport.subscribers(hand))
+            found.append(("gripper", hand, fault))
+        return tuple(found)
+
     @property
     def faults(self) -> tuple[str, ...]:
         """What keeps the robot from hearing us, with the mends; empty if nothing does."""
-        types = self._types()
-        faults = [output_fault(self._drive.topic, "drive.topic", types, self._transport.subscribers(self._drive.topic))]
-        if self._gripper_topic is not None:
-            listeners = self._transport.subscribers(self._gripper_topic)
-            faults.append(output_fault(self._gripper_topic, "gripper.command", [_WORDS], listeners))
-        return tuple(fault for fault in faults if fault)
+        return tuple(fault for _, _, fault in self.examined() if fault)
 
     @property
     def others(self) -> int:
