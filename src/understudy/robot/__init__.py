@@ -4,6 +4,7 @@ from understudy.robot.colors import RGB, TEACHER_COLOR, Color
 from understudy.robot.command import STOP, Command
 from understudy.robot.cues import Cue
 from understudy.robot.journal import Journal, NoJournal
+from understudy.robot.kinds import ROBOTS
 from understudy.robot.loop import DEADMAN_S, control
 from understudy.robot.observation import GripperReading, Observation, Odometry, Scan
 from understudy.robot.pioneer import PIONEER, CameraMount, GripperGeometry, LaserMount, RobotSpec
@@ -14,6 +15,7 @@ __all__ = [
     "DEADMAN_S",
     "PIONEER",
     "RGB",
+    "ROBOTS",
     "STOP",
     "TEACHER_COLOR",
     "TURTLEBOT",

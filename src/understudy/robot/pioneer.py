@@ -58,7 +58,8 @@ class GripperGeometry:
 class RobotSpec:
     """What a robot is made of, in metres, seconds and radians.
 
-    ``gripper`` is None on a robot that has none; ``sonar_poses`` are in the robot's frame.
+    ``gripper`` is None on a robot that has none; ``sonar_poses`` are in the robot's frame; a ``round`` robot is a
+    cylinder of its length and width.
     """
 
     name: str
@@ -77,6 +78,7 @@ class RobotSpec:
     sonar_height: float
     sonar_range: float
     sonar_cone: float
+    round: bool = False
 
 
 def _sonar_ring() -> tuple[Pose, ...]:

@@ -24,4 +24,5 @@ TURTLEBOT = RobotSpec(
     sonar_height=0.0,
     sonar_range=0.0,
     sonar_cone=0.0,
+    round=True,
 )

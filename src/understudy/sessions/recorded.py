@@ -1,19 +1,16 @@
 """What a recording is of: the robot, the room, the task."""
 
-from collections.abc import Mapping
 from typing import Any
 
 from understudy.documents import parse_text
 from understudy.errors import DocumentError, NetworkError, RecordingError, RobotDocumentError, WorldError
 from understudy.network import Network, Task, parse_task
 from understudy.recording import Recording
-from understudy.robot import PIONEER, TURTLEBOT, RobotSpec
+from understudy.robot import PIONEER, ROBOTS, RobotSpec
 from understudy.ros2 import parse_robot
 from understudy.sim import World
 
 __all__ = ["limit_of", "seed_of", "spec_of", "task_of", "world_of"]
-
-_ROBOTS: Mapping[str, RobotSpec] = {spec.name: spec for spec in (PIONEER, TURTLEBOT)}
 
 
 def spec_of(recording: Recording) -> RobotSpec:
@@ -27,11 +24,11 @@ def spec_of(recording: Recording) -> RobotSpec:
     if name in recording.info.attachments:
         return parse_robot(_attached(recording, name, RobotDocumentError), source=_source(recording, name)).spec
     robot = recording.info.robot or PIONEER.name
-    if robot not in _ROBOTS:
+    if robot not in ROBOTS:
         raise RecordingError(
-            f"{recording.info.path} is of a robot called {robot!r}; known here are: {', '.join(_ROBOTS)}"
+            f"{recording.info.path} is of a robot called {robot!r}; known here are: {', '.join(ROBOTS)}"
         )
-    return _ROBOTS[robot]
+    return ROBOTS[robot]
 
 
 def seed_of(recording: Recording) -> int:

@@ -43,17 +43,13 @@ class RobotBody:
         self._pose = data.qpos[index.pose]
         self._speed = data.qvel[index.speed]
         self._open, self._raised = False, True
-        gripper = self._gripper
-        self._servos = np.array([0.0, 0.0, 0.0, _SHY_M, gripper.lift_height - _SHY_M])
-        data.qpos[index.left] = data.qpos[index.right] = _SHY_M
-        data.qpos[index.lift] = gripper.lift_height - _SHY_M
+        self._servos = np.zeros(3)
+        if spec.gripper is not None:
+            up = spec.gripper.lift_height - _SHY_M
+            self._servos = np.array([0.0, 0.0, 0.0, _SHY_M, up])
+            data.qpos[index.left] = data.qpos[index.right] = _SHY_M
+            data.qpos[index.lift] = up
         self.place(start)
-
-    @property
-    def _gripper(self) -> GripperGeometry:
-        gripper = self.spec.gripper
-        assert gripper is not None, "every simulated robot has a gripper so far"
-        return gripper
 
     def place(self, pose: Pose) -> None:
         """Puts the robot somewhere, standing still."""
@@ -76,25 +72,33 @@ class RobotBody:
 
     def advance_servos(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Servo targets at the beginning and at the end of the coming period, within the spec's limits."""
-        spec, gripper, dt = self.spec, self._gripper, CONTROL_PERIOD_S
+        spec, dt = self.spec, CONTROL_PERIOD_S
         begin = self._servos
-        driving, turning, _, opened, lifted = begin.tolist()
+        driving, turning, _, *hand = begin.tolist()
+        gripper = spec.gripper
         linear = min(spec.max_linear, max(-spec.max_linear, self.command.linear))
         angular = min(spec.max_angular, max(-spec.max_angular, self.command.angular))
-        travel, height = gripper.opening / 2, gripper.lift_height
-        paddles = travel - _SHY_M if self._open else _SHY_M
-        lift = height - _SHY_M if self._raised else _SHY_M
         end = np.array(
             [
                 _toward(driving, linear, spec.max_linear_acceleration * dt),
                 _toward(turning, angular, spec.max_angular_acceleration * dt),
                 0.0,
-                _toward(opened, paddles, travel / _PADDLE_TRAVEL_S * dt),
-                _toward(lifted, lift, height / _LIFT_TRAVEL_S * dt),
+                *(self._hand_after(hand[0], hand[1], gripper) if gripper is not None else ()),
             ]
         )
         self._servos = end
         return begin, end
+
+    def _hand_after(self, opened: float, lifted: float, gripper: GripperGeometry) -> tuple[float, float]:
+        """Servo targets of paddles and lift at the end of the coming period."""
+        dt = CONTROL_PERIOD_S
+        travel, height = gripper.opening / 2, gripper.lift_height
+        paddles = travel - _SHY_M if self._open else _SHY_M
+        lift = height - _SHY_M if self._raised else _SHY_M
+        return (
+            _toward(opened, paddles, travel / _PADDLE_TRAVEL_S * dt),
+            _toward(lifted, lift, height / _LIFT_TRAVEL_S * dt),
+        )
 
     @property
     def pose(self) -> Pose:
@@ -114,33 +118,42 @@ class RobotBody:
 
     @property
     def paddles(self) -> tuple[float, float]:
-        """How far the left and the right paddle are from the middle, metres."""
+        """How far the left and the right paddle are from the middle, metres; zero without a gripper."""
+        if self.index.left is None or self.index.right is None:
+            return 0.0, 0.0
         return float(self._qpos[self.index.left]), float(self._qpos[self.index.right])
 
     @property
     def lift(self) -> float:
-        """How high the gripper is above its lowest place, metres."""
-        return float(self._qpos[self.index.lift])
+        """How high the gripper is above its lowest place, metres; zero without one."""
+        return float(self._qpos[self.index.lift]) if self.index.lift is not None else 0.0
 
     @property
     def clamped(self) -> bool:
         """Whether the paddles are told to close, and are apart: on a box, or still on their way."""
-        return not self._open and sum(self.paddles) >= _CLOSED * self._gripper.opening
+        gripper = self.spec.gripper
+        return gripper is not None and not self._open and sum(self.paddles) >= _CLOSED * gripper.opening
 
     def grips(self, box: Point) -> bool:
         """Whether a box with its centre at this place of the arena is clamped between the closed paddles."""
-        if not self.clamped:
+        gripper = self.spec.gripper
+        if gripper is None or not self.clamped:
             return False
-        gripper = self._gripper
         local = self.pose.to_local(box)
         return gripper.x_back < local.x < gripper.x_front + 0.04 and abs(local.y) < gripper.opening / 2
 
     def holds(self, box: Point) -> bool:
         """Whether such a box is gripped and lifted."""
-        return self.lift > self._gripper.lift_height / 2 and self.grips(box)
+        gripper = self.spec.gripper
+        return gripper is not None and self.lift > gripper.lift_height / 2 and self.grips(box)
 
     @property
     def stowed(self) -> bool:
-        """Whether the paddles are closed, on nothing, and lifted: so the gripper is carried, and so Drop ends (A.4)."""
-        gripper = self._gripper
-        return sum(self.paddles) < _CLOSED * gripper.opening and self.lift > _UP * gripper.lift_height
+        """Whether the paddles are closed, on nothing, and lifted: so the gripper is carried, and so Drop ends (A.4).
+
+        A robot without a gripper has nothing to put away.
+        """
+        gripper = self.spec.gripper
+        return gripper is None or (
+            sum(self.paddles) < _CLOSED * gripper.opening and self.lift > _UP * gripper.lift_height
+        )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from understudy.errors import WorldError
 from understudy.geometry import Point, Pose
-from understudy.robot import PIONEER, RobotSpec
+from understudy.robot import RobotSpec
 from understudy.sim.gait import CLEARANCE_M
 
 if TYPE_CHECKING:
@@ -46,6 +46,8 @@ class Footprint:
     @classmethod
     def of_robot(cls, pose: Pose, spec: RobotSpec) -> "Footprint":
         """The body with its gripper."""
+        if spec.round:
+            return cls.disc((pose.x, pose.y), spec.width / 2)
         front = spec.gripper.x_front if spec.gripper else spec.length / 2
         return cls.rectangle(pose, -spec.length / 2, front, spec.width / 2)
 
@@ -117,7 +119,7 @@ def _point_gap(p: Point, a: Point, b: Point) -> float:
 
 
 def _robot_footprint(robot: "RobotStart") -> Footprint:
-    return Footprint.of_robot(Pose(*robot.at, math.radians(robot.heading_deg)), PIONEER)
+    return Footprint.of_robot(Pose(*robot.at, math.radians(robot.heading_deg)), robot.spec)
 
 
 def footprints(world: "World") -> list[tuple[str, Footprint]]:

@@ -1,4 +1,4 @@
-"""A world in MuJoCo's own language (MJCF): the arena, the things in it, and the Pioneer's body.
+"""A world in MuJoCo's own language (MJCF): the arena, the things in it, and the robots' bodies.
 
 A robot's base slides along x and y and turns about z, so that its joint positions *are* its pose. Its wheels are
 three velocity servos in the body's frame: forward, turning, and one that holds it against sliding sideways.
@@ -56,7 +56,7 @@ MARKER_X_M, MARKER_RADIUS_M, MARKER_TOP_M = -0.12, 0.10, 0.72
 """The tall cylinder on the back of a robot that can be followed; X in the robot's frame."""
 
 
-def mjcf(world: World, spec: RobotSpec) -> str:
+def mjcf(world: World) -> str:
     """The whole model as XML text; names are ``wall0``, ``door0``, ``target0``, ``box0``, ``robot0``, ``teacher``."""
     width, depth = world.arena.size
     parts = [
@@ -82,11 +82,11 @@ def mjcf(world: World, spec: RobotSpec) -> str:
     parts += [_door(i, door) for i, door in enumerate(world.doors)]
     parts += [_target(i, target) for i, target in enumerate(world.targets)]
     parts += [_box(i, box) for i, box in enumerate(world.boxes)]
-    parts += [_robot(i, robot, spec) for i, robot in enumerate(world.robots)]
+    parts += [_robot(i, robot) for i, robot in enumerate(world.robots)]
     if world.teacher is not None:
         parts.append(_teacher(world.teacher))
     parts.append("</worldbody>")
-    parts += [_machinery(i, spec) for i in range(len(world.robots))]
+    parts += [_machinery(i, robot.spec) for i, robot in enumerate(world.robots)]
     parts.append("</mujoco>")
     return "\n".join(parts)
 
@@ -155,9 +155,14 @@ def _box(index: int, box: Box) -> str:
     )
 
 
-def _robot(index: int, robot: RobotStart, spec: RobotSpec) -> str:
-    name = f"robot{index}"
+def _robot(index: int, robot: RobotStart) -> str:
+    name, spec = f"robot{index}", robot.spec
     clearance, top = 0.03, spec.height
+    half_height = (top - clearance) / 2
+    if spec.round:
+        shape = f'type="cylinder" size="{spec.width / 2} {half_height}"'
+    else:
+        shape = f'type="box" size="{spec.length / 2} {spec.width / 2} {half_height}"'
     inertia = spec.mass * (spec.length**2 + spec.width**2) / 12
     # The laser and the camera sit in a housing that other robots' lasers meet at 0.30 m.
     housing_half = (spec.camera.height + 0.04 - top) / 2
@@ -174,8 +179,7 @@ def _robot(index: int, robot: RobotStart, spec: RobotSpec) -> str:
   <joint name="{name} heading" type="hinge" axis="0 0 1"/>
   <inertial pos="0 0 {top / 2}" mass="{spec.mass}" diaginertia="{inertia} {inertia} {inertia}"/>
   <site name="{name}"/>
-  <geom name="{name} body" class="robot" type="box" pos="0 0 {(clearance + top) / 2}"
-    size="{spec.length / 2} {spec.width / 2} {(top - clearance) / 2}"/>
+  <geom name="{name} body" class="robot" pos="0 0 {(clearance + top) / 2}" {shape}/>
   <geom name="{name} housing" class="robot" type="box" pos="{spec.laser.x - 0.02} 0 {top + housing_half}"
     size="0.08 0.08 {housing_half}"/>
   {marker}

@@ -6,7 +6,7 @@ from typing import Any
 
 import mujoco
 
-from understudy.robot import PIONEER, RobotSpec
+from understudy.robot import RobotSpec
 from understudy.sim.mjcf import mjcf
 from understudy.sim.world import World
 
@@ -32,17 +32,17 @@ class RobotIndex:
     Attributes:
         body: its base, which rays leave out.
         pose: of x, y and heading in ``qpos``; ``speed`` likewise in ``qvel``.
-        lift, left, right: of the gripper's joints in ``qpos``.
-        ctrl: of its servos in ``ctrl``: forward, turn, sideways, paddles, lift.
+        lift, left, right: of the gripper's joints in ``qpos``; None on a robot without one.
+        ctrl: of its servos in ``ctrl``: forward, turn, sideways, and with a gripper paddles and lift.
         geoms: all of its geoms.
     """
 
     body: int
     pose: slice
     speed: slice
-    lift: int
-    left: int
-    right: int
+    lift: int | None
+    left: int | None
+    right: int | None
     ctrl: slice
     geoms: frozenset[int]
 
@@ -62,7 +62,6 @@ class ArenaModel:
     """
 
     world: World
-    spec: RobotSpec
     model: Any
     robots: tuple[RobotIndex, ...]
     box_pose: tuple[int, ...]
@@ -74,17 +73,16 @@ class ArenaModel:
     things: tuple[tuple[Thing, int], ...]
 
     @classmethod
-    def build(cls, world: World, spec: RobotSpec = PIONEER) -> "ArenaModel":
+    def build(cls, world: World) -> "ArenaModel":
         """Compiles a world."""
-        model = mujoco.MjModel.from_xml_string(mjcf(world, spec))
+        model = mujoco.MjModel.from_xml_string(mjcf(world))
         boxes = [model.joint(f"box{i}") for i in range(len(world.boxes))]
         doors = [model.joint(f"door{i}") for i in range(len(world.doors))]
         targets = [model.body(f"target{i}") for i in range(len(world.targets))]
         return cls(
             world=world,
-            spec=spec,
             model=model,
-            robots=tuple(_robot_index(model, i) for i in range(len(world.robots))),
+            robots=tuple(_robot_index(model, i, robot.spec) for i, robot in enumerate(world.robots)),
             box_pose=tuple(int(joint.qposadr[0]) for joint in boxes),
             box_speed=tuple(int(joint.dofadr[0]) for joint in boxes),
             door_angle=tuple(int(joint.qposadr[0]) for joint in doors),
@@ -102,14 +100,14 @@ def _thing(name: str) -> tuple[Thing, int]:
     return (Thing.PERSON if kind == "teacher" else Thing(kind)), int(number or 0)
 
 
-def _robot_index(model: Any, number: int) -> RobotIndex:
+def _robot_index(model: Any, number: int, spec: RobotSpec) -> RobotIndex:
     name = f"robot{number}"
     x = model.joint(f"{name} x")
     position, speed = int(x.qposadr[0]), int(x.dofadr[0])
     ctrl = model.actuator(f"{name} forward").id
 
-    def joint(part: str) -> int:
-        return int(model.joint(f"{name} {part}").qposadr[0])
+    def joint(part: str) -> int | None:
+        return None if spec.gripper is None else int(model.joint(f"{name} {part}").qposadr[0])
 
     return RobotIndex(
         body=model.body(name).id,
@@ -118,6 +116,6 @@ def _robot_index(model: Any, number: int) -> RobotIndex:
         lift=joint("lift"),
         left=joint("left"),
         right=joint("right"),
-        ctrl=slice(ctrl, ctrl + 5),
+        ctrl=slice(ctrl, ctrl + (3 if spec.gripper is None else 5)),
         geoms=frozenset(i for i in range(model.ngeom) if model.geom(i).name.partition(" ")[0] == name),
     )

@@ -8,7 +8,6 @@ import numpy as np
 
 from understudy.errors import WorldError
 from understudy.geometry import Point, Pose
-from understudy.robot import PIONEER
 from understudy.sim.layout import Footprint, check_layout
 from understudy.sim.world import Box, RobotStart, Target, World
 
@@ -95,7 +94,7 @@ def _draw(
         for _ in range(_TRIES_A_GROUP):
             x, y = (rng.random(2) * size).tolist()
             pose = Pose(x, y, rng.uniform(-math.pi, math.pi))
-            shape = Footprint.of_robot(pose, PIONEER)
+            shape = Footprint.of_robot(pose, robot.spec)
             if _clear([shape], size, robot_clearance, [(placed, robot_clearance), (walls, robot_clearance)]):
                 break
         else:

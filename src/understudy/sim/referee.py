@@ -145,7 +145,7 @@ class Referee:
     # -- watching ---------------------------------------------------------------------------------------------
 
     def _outline(self, robot: int) -> Footprint:
-        return Footprint.of_robot(self._truth.robot_pose(robot), self._arena.spec)
+        return Footprint.of_robot(self._truth.robot_pose(robot), self._truth.bodies[robot].spec)
 
     def _note_poses(self) -> None:
         for i, name in enumerate(self._names):

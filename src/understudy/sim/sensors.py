@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from understudy.clock import CONTROL_PERIOD_S
 from understudy.geometry import Point, Pose, wrap_angle
-from understudy.robot import GripperReading, Odometry, RobotSpec, Scan
+from understudy.robot import GripperReading, Odometry, Scan
 from understudy.sim.body import RobotBody
 from understudy.sim.mjcf import GRIPPER_HEIGHT_M, GROUP_BOXES, GROUP_SOLID
 from understudy.sim.noise import NoiseLevels
@@ -70,12 +70,14 @@ class _Fan:
 
 
 class Laser:
-    """The SICK LMS 200: one ray a degree across the forward half plane."""
+    """The laser of the spec: the SICK LMS 200 has one ray a degree across the forward half plane."""
 
     def __init__(self, model: Any, data: Any, body: RobotBody, noise: NoiseLevels, rng: np.random.Generator) -> None:
         mount = body.spec.laser
         self._range, self._std, self._rng = mount.range_max, noise.laser, rng
-        self._angle_min, self._increment = -math.pi / 2, math.pi / (mount.rays - 1)
+        # A sweep all around ends before it would give its first ray once more.
+        gaps = mount.rays if mount.sweep >= math.tau else mount.rays - 1
+        self._angle_min, self._increment = -mount.sweep / 2, mount.sweep / gaps
         angles = self._angle_min + self._increment * np.arange(mount.rays)
         self._fan = _Fan(model, data, body, at=Point(mount.x, 0.0), height=mount.height, angles=angles)
 
@@ -93,7 +95,7 @@ class Laser:
 
 
 class SonarRing:
-    """Sixteen sonars; each gives the nearest echo within its cone.
+    """The sonars of the spec; each gives the nearest echo within its cone.
 
     All rays start at the robot's centre, and the way to the ring is taken off: the sonars look straight outward, so
     that this shifts a ray by 4 cm at most, and one fan of rays costs a tenth of sixteen.
@@ -103,12 +105,14 @@ class SonarRing:
         spec = body.spec
         self._range, self._std, self._rng = spec.sonar_range, noise.sonar, rng
         self._offsets = np.array([pose.position.distance for pose in spec.sonar_poses])
-        self._reach = spec.sonar_range + float(self._offsets.max())
+        self._reach = spec.sonar_range + float(self._offsets.max(initial=0.0))
         angles = [pose.heading + share * spec.sonar_cone for pose in spec.sonar_poses for share in _SONAR_RAYS]
         self._fan = _Fan(model, data, body, at=Point(0.0, 0.0), height=spec.sonar_height, angles=angles)
 
     def ranges(self, pose: Pose) -> NDArray[np.float32]:
         """Metres from each sonar of a robot at this true pose, ``inf`` for no echo."""
+        if not self._offsets.size:
+            return np.zeros(0, np.float32)
         met = self._fan.cast(pose, self._reach)
         met[met < 0.0] = np.inf
         nearest = np.minimum.reduce(met.reshape(-1, len(_SONAR_RAYS)), axis=1) - self._offsets
@@ -166,11 +170,11 @@ class GripperSensor:
         self._geom = np.zeros(1, np.int32)
         self._origin, self._across = np.zeros(3), np.zeros(3)
 
-    def read(self, pose: Pose) -> GripperReading:
-        """The gripper of a robot at this true pose, as its own sensors give it."""
-        spec: RobotSpec = self._body.spec
-        gripper = spec.gripper
-        assert gripper is not None
+    def read(self, pose: Pose) -> GripperReading | None:
+        """The gripper of a robot at this true pose, as its own sensors give it; None without one."""
+        gripper = self._body.spec.gripper
+        if gripper is None:
+            return None
         left, right = self._body.paddles
         lift = self._body.lift
         misread = self._rng.random() < self._misreads

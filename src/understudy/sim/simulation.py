@@ -19,7 +19,7 @@ import numpy as np
 from understudy.clock import CONTROL_PERIOD_S, SteppedClock
 from understudy.errors import WorldError
 from understudy.geometry import Point, Pose
-from understudy.robot import PIONEER, Color, Cue
+from understudy.robot import Color, Cue
 from understudy.sim.body import RobotBody
 from understudy.sim.mjcf import BOX_HEIGHT_M, PHYSICS_STEP_S
 from understudy.sim.model import ArenaModel
@@ -53,7 +53,7 @@ class Simulation:
         self._data: Any = mujoco.MjData(self._model)
         self._clock = SteppedClock()
         self._bodies = [
-            RobotBody(index, PIONEER, self._data, Pose(*start.at, math.radians(start.heading_deg)))
+            RobotBody(index, start.spec, self._data, Pose(*start.at, math.radians(start.heading_deg)))
             for index, start in zip(self.arena.robots, world.robots, strict=True)
         ]
         self.truth = Truth(self.arena, self._data, self._bodies)

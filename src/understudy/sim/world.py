@@ -14,6 +14,7 @@ from understudy.errors import WorldError
 from understudy.geometry import Point, Pose
 from understudy.robot import TEACHER_COLOR, Color
 from understudy.sim.habits import Habits
+from understudy.robot import ROBOTS, TEACHER_COLOR, Color, RobotSpec
 from understudy.sim.layout import check_layout
 from understudy.sim.noise import NoiseLevels
 from understudy.sim.quantities import Degrees, Length, Place, plainly, two_numbers
@@ -135,10 +136,15 @@ class RobotStart(Part):
     """
 
     name: Name
-    kind: Literal["pioneer"] = "pioneer"
+    kind: Literal["pioneer", "turtlebot"] = "pioneer"
     at: Place
     heading_deg: Degrees = 0.0
     marker: Color | None = None
+
+    @property
+    def spec(self) -> RobotSpec:
+        """What it is made of."""
+        return ROBOTS[self.kind]
 
 
 class Teacher(Part):
