@@ -132,10 +132,12 @@ def perform(
     from understudy.execution import Tally  # noqa: PLC0415
     from understudy.figures import goal_in_words  # noqa: PLC0415
     from understudy.ros2 import find_robot  # noqa: PLC0415
-    from understudy.sessions import Workspace, check_capable, perform_with  # noqa: PLC0415
+    from understudy.sessions import Workspace, check_capable, perform_with, unbound  # noqa: PLC0415
 
-    skills = installed_skills()
-    check_capable(network, skills, find_robot(robot).spec)  # before anybody switches the robot on
+    skills, spec = installed_skills(), find_robot(robot).spec
+    check_capable(network, skills, spec)  # before anybody switches the robot on
+    if lacking := unbound(skills, spec):
+        print(f"Not every skill binds on {spec.name} ({lacking}); this task asks for none of them.", file=sys.stderr)
     stem = Workspace(workspace).free(f"{name} run", ".mcap", ".json")
     tally = Tally(network, ())
     with _connected(robot) as (document, connected, words):

@@ -1,14 +1,7 @@
 """What a person does in one sitting: a demonstration taught, a task run, in a simulated room, recorded and judged."""
 
-from understudy.sessions.onboard import (
-    Capability,
-    await_start,
-    capabilities,
-    check_capable,
-    perform_with,
-    practise_with,
-    teach_with,
-)
+from understudy.sessions.capability import Capability, capabilities, check_capable, unbound
+from understudy.sessions.onboard import await_start, perform_with, practise_with, teach_with
 from understudy.sessions.past import Past, past_at, take_up
 from understudy.sessions.practising import Practised, practise
 from understudy.sessions.recorded import limit_of, seed_of, spec_of, task_of, world_of
@@ -46,6 +39,7 @@ __all__ = [
     "task_of",
     "teach",
     "teach_with",
+    "unbound",
     "what_if",
     "world_of",
 ]

@@ -2,71 +2,20 @@
 
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass
 from pathlib import Path
 
-from understudy.behaviors import Actuator, Skill
-from understudy.errors import SkillError
+from understudy.behaviors import Skill
 from understudy.execution import Controller, Decision, RunReport, compile_network, go_on
 from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate
-from understudy.network import Component, Network, Task, task_text
+from understudy.network import Network, Task, task_text
 from understudy.perception import Perception, Percepts
 from understudy.practice import Practice, PracticeReport
 from understudy.recording import Recorder, RecordingKind
-from understudy.robot import STOP, Cue, Robot, RobotSpec
+from understudy.robot import STOP, Cue, Robot
 from understudy.ros2 import RobotDocument
+from understudy.sessions.capability import check_capable
 
-__all__ = ["Capability", "await_start", "capabilities", "check_capable", "perform_with", "practise_with", "teach_with"]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Capability:
-    """Whether a skill binds on a robot.
-
-    Attributes:
-        skill: its name.
-        missing: what the robot has not and the skill needs; empty if it binds.
-    """
-
-    skill: str
-    missing: str
-
-
-def capabilities(skills: Mapping[str, Skill], spec: RobotSpec) -> tuple[Capability, ...]:
-    """Which skills bind on a robot, and which do not, and why: one lesson may be for many robots.
-
-    Args:
-        skills: by name.
-        spec: the robot.
-    """
-    return tuple(
-        Capability(
-            skill=name,
-            missing="a gripper" if Actuator.GRIPPER in skill.abstract.actuators and spec.gripper is None else "",
-        )
-        for name, skill in skills.items()
-    )
-
-
-def check_capable(network: Network, skills: Mapping[str, Skill], spec: RobotSpec) -> None:
-    """Refuses a task that a robot cannot do.
-
-    Args:
-        network: the task.
-        skills: by name.
-        spec: the robot.
-
-    Raises:
-        SkillError: a step's skill does not bind on the robot.
-    """
-    missing = {one.skill: one.missing for one in capabilities(skills, spec)}
-    asked = {part.behavior for part in network.by_path.values() if isinstance(part, Component)}
-    unbound = [f"{name} (needs {missing[name]})" for name in skills if name in asked and missing[name]]
-    if unbound:
-        raise SkillError(
-            f"{spec.name} cannot do this task: {', '.join(unbound)}; run it on a robot that has one, or take these"
-            " steps out of the task"
-        )
+__all__ = ["await_start", "perform_with", "practise_with", "teach_with"]
 
 
 def await_start(robot: Robot, started: Callable[[], bool]) -> None:

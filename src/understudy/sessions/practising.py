@@ -14,6 +14,7 @@ from understudy.network import Network, differences
 from understudy.perception import Percepts
 from understudy.practice import Practice, PracticeReport
 from understudy.robot import Journal
+from understudy.sessions.capability import check_capable
 from understudy.sessions.running import run_recorder
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import World
@@ -97,6 +98,7 @@ def practise(
     Raises:
         WorldError: the world has no teacher.
         NetworkError: the network does not fit the skills.
+        SkillError: a skill does not bind on the robot.
         RecordingError: the file exists or cannot be written.
     """
     if world.teacher is None or not world.teacher.script:
@@ -106,6 +108,7 @@ def practise(
             source=world.name,
         )
     compile_network(network, skills)  # a task that does not fit is refused before anything is written
+    check_capable(network, skills, world.robots[0].spec)
     stage = Stage(world, seed)
     practice = Practice(
         stage.robot, network, skills, seed=stage.simulation.seed, settings=settings, name=f"practice of {name}"

@@ -12,6 +12,7 @@ from understudy.network import Network, Task, task_text
 from understudy.perception import Perception, Percepts
 from understudy.recording import Recorder
 from understudy.robot import Journal
+from understudy.sessions.capability import check_capable
 from understudy.sessions.past import Past
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import World
@@ -87,9 +88,11 @@ def perform(
 
     Raises:
         NetworkError: the network does not fit the skills.
+        SkillError: a skill does not bind on the robot.
         RecordingError: the file exists or cannot be written, or the past cannot be gone on with.
     """
     compile_network(network, skills)  # a task that does not fit is refused before anything is written
+    check_capable(network, skills, world.robots[0].spec)
     stage = Stage(world.model_copy(update={"teacher": None}), seed)
     if prepare is not None:
         prepare(stage)
