@@ -154,7 +154,7 @@ def test_files_that_are_no_recordings(tmp_path: Path) -> None:
     assert "is empty" in refused(of("empty.mcap", b""))
     assert "is no MCAP file" in refused(of("noise.mcap", b"\x00\x01garbage" * 100))
     assert "is no MCAP file" in refused(of("short.mcap", b"\x89MC"))
-    assert "rosbag2 in SQLite storage" in refused(of("a.db3", b"SQLite format 3\0" + bytes(100)))
+    assert "cannot be read as a rosbag2" in refused(of("a.db3", b"SQLite format 3\0" + bytes(100)))
     assert "ROS 1 bag" in refused(of("a.bag", b"#ROSBAG V2.0\n" + bytes(100)))
     assert "No such file" in refused(tmp_path / "missing.mcap")
     assert "breaks off before its first message" in refused(of("header.mcap", b"\x89MCAP0\r\n"))

@@ -15,6 +15,7 @@ from understudy.cli import (
     doctor,
     experiment,
     explain,
+    export,
     generalize,
     language,
     learn,
@@ -75,6 +76,7 @@ app.command("show", help="A task in words, as a picture or as DOT; or what a rec
 app.command("explain", help="Why a step of a recorded run was active or not, and what would have made it so.")(
     explain.command
 )
+app.command("export", help="Write a recording as a rosbag2 folder.")(export.command)
 app.command("language", help="In which orders a task can be done; counted, compared, checked.")(language.command)
 app.command("experiment", help="Make the trials of an experiment, and tell how often the robot succeeds.")(
     experiment.command

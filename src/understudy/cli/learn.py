@@ -27,8 +27,14 @@ __all__ = ["command"]
 
 def command(
     source: Annotated[
-        Path, typer.Argument(help="A recording (.mcap), or a document of observed intervals (.yaml, .json).")
+        Path,
+        typer.Argument(
+            help="A recording (.mcap) or a rosbag2 folder, or a document of observed intervals (.yaml, .json)."
+        ),
     ],
+    robot: Annotated[
+        str | None, typer.Option("--robot", help="Of a bag: the document of the robot that it was recorded on.")
+    ] = None,
     workspace: WorkspaceFolder = DEFAULT_WORKSPACE,
     name: Name = None,
     order: Order = "onset",
@@ -45,6 +51,7 @@ def command(
     from understudy.figures import describe_lesson, describe_task  # noqa: PLC0415
     from understudy.learning import LearningSettings, learn, load_intervals  # noqa: PLC0415
     from understudy.network import Task, save_task  # noqa: PLC0415
+    from understudy.ros2 import find_robot  # noqa: PLC0415
     from understudy.sessions import Workspace, recorded_demonstration  # noqa: PLC0415
 
     settings = LearningSettings(
@@ -55,7 +62,8 @@ def command(
     if source.suffix.lower() in (".yaml", ".yml", ".json"):
         demonstration = load_intervals(source)
     else:
-        demonstration = recorded_demonstration(source, skills, settings)
+        document = find_robot(robot) if robot is not None else None
+        demonstration = recorded_demonstration(source, skills, settings, robot=document)
     lesson = learn(demonstration, settings)
     name = name or save or lesson.demonstration
     place = Workspace(workspace)

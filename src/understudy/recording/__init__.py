@@ -2,6 +2,7 @@
 
 from understudy.recording.decoding import decode, posture_of, speeds_of, stamp_ns
 from understudy.recording.encoding import ObservationEncoder, TopicMessage, stamp_of, string_message, twist_of
+from understudy.recording.exporting import export_bag
 from understudy.recording.holding import Grid, Held
 from understudy.recording.outcome import Outcome, outcome_of
 from understudy.recording.reading import read_recording
@@ -31,6 +32,7 @@ __all__ = [
     "decode",
     "decode_message",
     "encode_message",
+    "export_bag",
     "message_fields",
     "outcome_of",
     "posture_of",

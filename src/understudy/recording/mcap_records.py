@@ -34,7 +34,7 @@ DAMAGE: Final = (
 _FOOTER: Final = struct.Struct("<QQI8s")
 """Where the summary starts, where its offsets start, its checksum (0: none), and the magic that ends the file."""
 
-_OTHER_FORMATS: Final = {b"SQLite format 3\0": "a rosbag2 in SQLite storage", b"#ROSBAG": "a ROS 1 bag"}
+_OTHER_FORMATS: Final = {b"#ROSBAG": "a ROS 1 bag"}
 
 
 def check_is_mcap(path: Path) -> None:
@@ -47,7 +47,7 @@ def check_is_mcap(path: Path) -> None:
         if path.is_dir():
             inside = sorted(path.glob("*.mcap"))
             mend = f"read the file in it: {inside[0]}" if inside else "name an .mcap file"
-            raise RecordingError(f"{path} is a folder, and a recording is one MCAP file; {mend}")
+            raise RecordingError(f"{path} is a folder without the metadata.yaml of a rosbag2; {mend}")
         with path.open("rb") as file:
             start = file.read(16)
     except OSError as error:

@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 from understudy.errors import RecordingError
+from understudy.recording.bag_source import BagSource, is_bag
 from understudy.recording.mcap_source import McapSource
 from understudy.recording.recorder import FORMAT_VERSION
 from understudy.recording.recording import Recording
@@ -14,17 +15,17 @@ __all__ = ["read_recording"]
 
 
 def read_recording(path: str | os.PathLike[str], *, topics: TopicMap = DEFAULT_TOPICS) -> Recording:
-    """Opens a recording of Understudy, or an MCAP bag of any ROS 2 robot.
+    """Opens a recording of Understudy, or a bag of any ROS 2 robot.
 
     Args:
-        path: the MCAP file.
+        path: an MCAP file, a rosbag2 folder, or an SQLite file as one holds.
         topics: the names of the topics, where they are not the conventional ones.
 
     Raises:
-        RecordingError: the file is missing, empty or no MCAP; it has no laser or no odometry; a topic has a type
+        RecordingError: the file is missing, empty or no recording; it has no laser or no odometry; a topic has a type
             that cannot be read; or a newer Understudy wrote it.
     """
-    source = McapSource(Path(path))
+    source: Source = BagSource(Path(path)) if is_bag(Path(path)) else McapSource(Path(path))
     _check_version(source)
     roles = {role: topic for role in ROLE_TYPES if (topic := _topic_for(source, topics, role)) is not None}
     for role, topic in roles.items():

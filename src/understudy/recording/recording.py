@@ -64,7 +64,7 @@ class Recording:
 
     def __init__(self, source: Source, topics: TopicMap, roles: Mapping[str, str]) -> None:
         self._source = source
-        self._joints = topics.joints
+        self._map = topics
         self._roles = roles
         exact = source.topics.get(OBSERVATION_TOPIC)
         kind = source.metadata.get("kind")
@@ -89,7 +89,7 @@ class Recording:
         """
         if self.info.exact:
             return exact_observations(self._source, self._roles, images=images)
-        return sampled_observations(self._source, self._roles, self._joints, images=images)
+        return sampled_observations(self._source, self._roles, self._map, images=images)
 
     def commands(self) -> Iterator[tuple[float, Command]]:
         """What the robot was told, each with its time in the observations' seconds."""

@@ -18,7 +18,7 @@ from rosbags.typesys.stores import ros2_humble as ros
 from understudy.recording.decoding import decode, place, posture_of, speeds_of, stamp_ns
 from understudy.recording.holding import Grid, Held
 from understudy.recording.source import Source
-from understudy.recording.topics import GripperJoints
+from understudy.recording.topics import TopicMap
 from understudy.robot import Command, Observation
 
 __all__ = ["sampled_commands", "sampled_observations"]
@@ -27,21 +27,21 @@ _SENSORS: Final = ("scan", "odom", "sonar", "image", "joint_states", "beam", "cu
 
 
 def sampled_observations(
-    source: Source, roles: Mapping[str, str], joints: GripperJoints, *, images: bool
+    source: Source, roles: Mapping[str, str], topics: TopicMap, *, images: bool
 ) -> Iterator[Observation]:
     """Observations from topics of differing rates; see the steps above.
 
     Args:
         source: a bag.
         roles: the topic that the bag has for each role; ``scan`` at least.
-        joints: how to read the gripper.
+        topics: how to read the gripper, and what the laser's zeros mean.
         images: decode the images; without them every observation's image is None.
 
     Raises:
         RecordingError: a message cannot be decoded, or the laser's stamps jump back.
     """
     wanted = {roles[role]: role for role in _SENSORS if role in roles and (images or role != "image")}
-    held = Held(source.path, joints, odometry_known="odom" not in roles)
+    held = Held(source.path, topics.joints, odometry_known="odom" not in roles)
     grid = Grid()
     messages = source.messages(wanted, sorted_by_time=True)
     for _, simultaneous in groupby(messages, key=lambda raw: raw.time_ns):
@@ -55,7 +55,7 @@ def sampled_observations(
             message = cast(ros.sensor_msgs__msg__LaserScan, decode(source.path, raw))
             time_s = grid.begin(stamp_ns(message.header) or raw.time_ns, where=place(source.path, raw))
             if time_s is not None and held.odometry_known:
-                yield held.observation(time_s, message)
+                yield held.observation(time_s, message, zero_is_free=topics.zero_is_free)
 
 
 def sampled_commands(source: Source, roles: Mapping[str, str]) -> Iterator[tuple[float, Command]]:

@@ -91,6 +91,7 @@ class TopicMap:
         cmd_vel: speeds that the robot was told.
         gripper_command: the words ``open``, ``close``, ``up``, ``down``.
         joints: how the gripper's joints are named and scaled.
+        zero_is_free: the laser's driver gives 0.0 where nothing was met, and not where it could not measure.
     """
 
     scan: str = "/scan"
@@ -103,6 +104,7 @@ class TopicMap:
     cmd_vel: str | None = "/cmd_vel"
     gripper_command: str | None = "/gripper/command"
     joints: GripperJoints = field(default_factory=GripperJoints)
+    zero_is_free: bool = False
 
     def candidates(self, role: str) -> tuple[str, ...]:
         """The topic names to try for a role, in this order; empty when the role is left out."""

@@ -14,7 +14,7 @@ from rosbags.typesys.store import Typestore
 from understudy.errors import RecordingError
 from understudy.recording.exact import DEFINITIONS
 
-__all__ = ["decode_message", "encode_message", "message_definition", "message_fields"]
+__all__ = ["decode_message", "encode_message", "message_definition", "message_fields", "message_hash"]
 
 
 @cache
@@ -32,6 +32,12 @@ def message_definition(name: str) -> bytes:
         return DEFINITIONS[name].encode()  # with its comments, which the type store drops
     text, _ = _typestore().generate_msgdef(name, ros_version=2)
     return text.encode()
+
+
+@cache
+def message_hash(name: str) -> str:
+    """The hash by which ROS 2 since Iron tells message types apart (REP 2016)."""
+    return _typestore().hash_rihs01(name)
 
 
 def message_fields(name: str) -> list[tuple[str, Any]]:

@@ -2,11 +2,13 @@
 
 from understudy.ros2.checks import TopicFinding, examine
 from understudy.ros2.document import RobotDocument, find_robot, load_robot, parse_robot, robot_names, robot_schema
+from understudy.ros2.fitting import Fitting
 from understudy.ros2.robot import Ros2Robot
 from understudy.ros2.serving import Served, TimeKeeping
 from understudy.ros2.transport import Transport, open_transport
 
 __all__ = [
+    "Fitting",
     "RobotDocument",
     "Ros2Robot",
     "Served",

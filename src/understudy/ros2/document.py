@@ -273,6 +273,7 @@ class RobotDocument(Part):
             cmd_vel=self.drive.topic,
             gripper_command=hand.command if hand is not None else None,
             joints=_joints(hand) if hand is not None else GripperJoints(),
+            zero_is_free=self.laser.zero == "nothing",
         )
 
     def to_yaml(self) -> str:

@@ -69,7 +69,7 @@ class Inputs:
 
     def __init__(self, document: RobotDocument, transport: Transport, clock: Clock) -> None:
         self._transport, self._clock, self._name = transport, clock, document.name
-        self._zero_is_free = document.laser.zero == "nothing"
+        self._zero_is_free = document.topics.zero_is_free
         self._sim = document.clock == "sim"
         self._fitting = Fitting(document)
         self._held = Held(document.name, document.topics.joints, odometry_known=False)

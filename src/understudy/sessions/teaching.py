@@ -11,6 +11,8 @@ from understudy.learning import Demonstration, LearningSettings, Observer, demon
 from understudy.perception import Percepts
 from understudy.recording import Recorder, read_recording
 from understudy.sessions.aloud import Aloud
+from understudy.robot import Journal
+from understudy.ros2 import Fitting, RobotDocument
 from understudy.sessions.recorded import spec_of
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import Slip, World
@@ -120,14 +122,32 @@ def _recorder(path: Path, stage: Stage, name: str) -> Recorder:
 
 
 def recorded_demonstration(
-    path: str | Path, skills: Mapping[str, Skill], settings: LearningSettings | None = None
+    path: str | Path,
+    skills: Mapping[str, Skill],
+    settings: LearningSettings | None = None,
+    *,
+    robot: RobotDocument | None = None,
 ) -> Demonstration:
     """What a recording shows: the same that a live learner saw.
+
+    Args:
+        path: a recording, or a bag of a ROS 2 robot.
+        skills: by name.
+        settings: of the learner.
+        robot: of a bag, which does not say: its topics, and where its sensors sit.
 
     Raises:
         RecordingError: the file cannot be read.
         LearningError: START was never said.
         RobotError: the recorded readings cannot be used.
     """
-    recording = read_recording(path)
-    return observe(recording.observations(), spec_of(recording), skills, settings, name=recording.info.name)
+    if robot is None:
+        recording = read_recording(path)
+        observations, spec = recording.observations(), spec_of(recording)
+    else:
+        recording = read_recording(path, topics=robot.topics)
+        # Understudy's own recordings hold what has been fitted already.
+        given = recording.observations()
+        observations = given if recording.info.exact else map(Fitting(robot).observation, given)
+        spec = robot.spec
+    return observe(observations, spec, skills, settings, name=recording.info.name)
