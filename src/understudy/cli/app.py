@@ -11,6 +11,7 @@ import typer
 
 from understudy import __version__
 from understudy.cli import (
+    calibrate,
     demo,
     doctor,
     experiment,
@@ -83,6 +84,7 @@ app.command("experiment", help="Make the trials of an experiment, and tell how o
 )
 app.add_typer(library.commands, name="tasks", help="The library: every task with all that it ever was.")
 app.command("sim", help="Simulate a world whose robot other programs command over ROS 2.")(sim.command)
+app.command("calibrate", help="Teach a robot's camera the eight colors.")(calibrate.command)
 app.command("schema", help="Print the JSON Schema of a document.")(schema.command)
 app.command("doctor", help="What is installed, what is missing, and how to mend it.")(doctor.command)
 

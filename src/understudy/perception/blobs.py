@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from understudy.perception.colors import COLOR_CLASSES, classify
-from understudy.robot import Color
+from understudy.robot import Color, Paints
 
 __all__ = ["Blob", "find_blobs"]
 
@@ -31,14 +31,15 @@ class Blob:
         return (self.left + self.right) / 2
 
 
-def find_blobs(image: NDArray[np.uint8], *, min_area: int = 12) -> list[Blob]:
+def find_blobs(image: NDArray[np.uint8], *, min_area: int = 12, paints: Paints | None = None) -> list[Blob]:
     """The colored blobs of an image, larger ones first within a color.
 
     Args:
         image: RGB, shape ``(height, width, 3)``.
         min_area: pixels; smaller patches are noise.
+        paints: how the camera sees the trained colors; in plain light if left out.
     """
-    classes = classify(image)
+    classes = classify(image) if paints is None else classify(image, paints)
     # Most of the picture is of no trained color; only what is around the rest is looked at further.
     x, y, width, height = cv2.boundingRect(classes)
     if not width:

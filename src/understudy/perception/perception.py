@@ -110,7 +110,7 @@ class Perception:
         if self.landmarks.colors:
             self._notice_lifting(observation)
         if image is not None:
-            blobs = find_blobs(image)
+            blobs = find_blobs(image, paints=self.spec.paints)
             if self.landmarks.colors:
                 self._look_for_landmarks(time_s, pose, observation.scan, blobs)
             self._look(time_s, pose, observation.scan, cylinders, blobs)

@@ -1,6 +1,6 @@
 """Recordings: every demonstration and every run is one MCAP file with ROS 2 messages (``docs/recording.md``)."""
 
-from understudy.recording.decoding import decode, posture_of, speeds_of, stamp_ns
+from understudy.recording.decoding import decode, image_of, posture_of, speeds_of, stamp_ns
 from understudy.recording.encoding import ObservationEncoder, TopicMessage, stamp_of, string_message, twist_of
 from understudy.recording.exporting import export_bag
 from understudy.recording.holding import Grid, Held
@@ -33,6 +33,7 @@ __all__ = [
     "decode_message",
     "encode_message",
     "export_bag",
+    "image_of",
     "message_fields",
     "outcome_of",
     "posture_of",

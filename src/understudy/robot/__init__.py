@@ -1,6 +1,6 @@
 """What a robot is: its observations, its commands, its numbers."""
 
-from understudy.robot.colors import RGB, TEACHER_COLOR, Color
+from understudy.robot.colors import RGB, TEACHER_COLOR, Color, Paints
 from understudy.robot.command import STOP, Command
 from understudy.robot.cues import Cue
 from understudy.robot.journal import Journal, NoJournal
@@ -30,6 +30,7 @@ __all__ = [
     "NoJournal",
     "Observation",
     "Odometry",
+    "Paints",
     "Robot",
     "RobotSpec",
     "Scan",

@@ -2,7 +2,7 @@
 
 from enum import StrEnum
 
-__all__ = ["RGB", "TEACHER_COLOR", "Color"]
+__all__ = ["RGB", "TEACHER_COLOR", "Color", "Paints"]
 
 
 class Color(StrEnum):
@@ -31,3 +31,6 @@ RGB: dict[Color, tuple[int, int, int]] = {
     Color.BLUE: (35, 70, 190),
 }
 """The paint of each color in plain light, 0 to 255."""
+
+Paints = tuple[tuple[int, int, int], ...]
+"""How a camera sees each color, 0 to 255, in the order of :class:`Color`."""

@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 
 from understudy.geometry import Pose
+from understudy.robot.colors import RGB, Paints
 
 __all__ = ["PIONEER", "CameraMount", "GripperGeometry", "LaserMount", "RobotSpec"]
 
@@ -59,7 +60,7 @@ class RobotSpec:
     """What a robot is made of, in metres, seconds and radians.
 
     ``gripper`` is None on a robot that has none; ``sonar_poses`` are in the robot's frame; a ``round`` robot is a
-    cylinder of its length and width.
+    cylinder of its length and width. ``paints`` is how its camera sees the colors.
     """
 
     name: str
@@ -79,6 +80,7 @@ class RobotSpec:
     sonar_range: float
     sonar_cone: float
     round: bool = False
+    paints: Paints = tuple(RGB.values())
 
 
 def _sonar_ring() -> tuple[Pose, ...]:

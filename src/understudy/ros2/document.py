@@ -12,7 +12,17 @@ from understudy.documents import Name, Part, expect_kind, first_fault, read_data
 from understudy.errors import RobotDocumentError
 from understudy.geometry import Pose
 from understudy.recording import GripperJoints, TopicMap
-from understudy.robot import DEADMAN_S, PIONEER, TURTLEBOT, CameraMount, GripperGeometry, LaserMount, RobotSpec
+from understudy.robot import (
+    DEADMAN_S,
+    PIONEER,
+    RGB,
+    TURTLEBOT,
+    CameraMount,
+    Color,
+    GripperGeometry,
+    LaserMount,
+    RobotSpec,
+)
 
 __all__ = ["RobotDocument", "find_robot", "load_robot", "parse_robot", "robot_names", "robot_schema"]
 
@@ -26,6 +36,8 @@ Length = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
 Place = Annotated[float, Field(ge=-10, le=10, allow_inf_nan=False)]
 Angle = Annotated[float, Field(ge=-360, le=360, allow_inf_nan=False)]
 Position = Annotated[float, Field(allow_inf_nan=False)]
+Channel = Annotated[int, Field(ge=0, le=255)]
+Paint = tuple[Channel, Channel, Channel]
 Reliability = Literal["best_effort", "reliable"]
 """What a reader asks for: best effort takes all that is sent, reliable refuses who does not repeat what was lost."""
 
@@ -185,6 +197,8 @@ class RobotDocument(Part):
         domain: the ROS domain; None takes ``ROS_DOMAIN_ID``, or 0.
         transport: ``cyclonedds`` needs no ROS; ``rclpy`` is ROS's own; ``detect`` takes rclpy where it is there.
         clock: ``wall`` for a real robot; ``sim`` for one whose time may stand still or run fast.
+        colors: how its camera sees the trained colors, red, green and blue from 0 to 255; ``understudy calibrate``
+            finds it out. Those that are left out are as in plain light.
         cues: a ``std_msgs/String`` with the teacher's words.
         emergency_stop: a ``std_msgs/Bool``; true stops the robot and ends the run.
     """
@@ -203,6 +217,7 @@ class RobotDocument(Part):
     drive: Drive = Drive()
     gripper: Gripper | None = None
     sonar: Sonar | None = None
+    colors: dict[Color, Paint] = {}
     cues: Topic | None = "/cues"
     emergency_stop: Topic | None = "/emergency_stop"
 
@@ -256,6 +271,7 @@ class RobotDocument(Part):
             sonar_height=sonar.height if sonar is not None else 0.0,
             sonar_range=sonar.range if sonar is not None else 0.0,
             sonar_cone=math.radians(sonar.cone_deg) if sonar is not None else 0.0,
+            paints=tuple(self.colors.get(color, RGB[color]) for color in Color),
         )
 
     @property
