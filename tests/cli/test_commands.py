@@ -56,6 +56,8 @@ def test_help_names_every_command(tmp_path: Path) -> None:
     commands = (
         "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "tasks",
         "experiment", "schema", "doctor",
+        "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "schema",
+        "doctor", "sim", "calibrate", "export",
     )  # fmt: skip
     for command in commands:
         assert f"\n  {command}" in help_

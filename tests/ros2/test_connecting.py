@@ -31,7 +31,7 @@ def refused(base: Base, **keys: object) -> str:
 
 def test_a_robot_that_is_not_there() -> None:
     network = Network()
-    with pytest.raises(RobotError, match=r"nobody publishes /camera.*and 2 more: understudy doctor --robot"):
+    with pytest.raises(RobotError, match=r"nobody publishes /camera.*and 3 more: understudy doctor --robot"):
         Ros2Robot(RobotDocument(), Node(network, "understudy"), network.clock).connect(timeout_s=1.0)
 
 

@@ -1,5 +1,6 @@
 """Robot documents: what may be left out, what is refused, and that the schema agrees."""
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -65,6 +66,22 @@ def test_a_robot_that_is_nowhere(tmp_path: Path) -> None:
         find_robot("r2d2")
     with pytest.raises(RobotDocumentError, match="cannot be read"):
         find_robot(tmp_path / "r2d2.yaml")
+
+
+PAGE = Path(__file__).parents[2] / "docs" / "ros2.md"
+EXAMPLES = re.findall(r"```yaml\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+
+
+@pytest.mark.parametrize("text", EXAMPLES)
+def test_the_examples_of_the_page_are_robots(text: str) -> None:
+    assert parse_robot(yaml.safe_load(text), source="ros2.md").spec.name == "my robot"
+
+
+def test_the_page_names_every_key() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    assert EXAMPLES
+    for key in RobotDocument.model_fields:
+        assert key in ("understudy", "name", "note") or key in page
 
 
 def test_the_schema_knows_every_key() -> None:

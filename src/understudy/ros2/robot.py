@@ -66,11 +66,17 @@ class Ros2Robot:
         while True:
             self.inputs.listen()
             self.outputs.connect()
-            self._take_in()
-            if self._observation is not None and not self.outputs.faults:
+            unusable: list[str] = []
+            try:
+                fresh = self._take_in()
+            except RobotError as error:
+                fresh = False
+                unusable.append(str(error))  # as long as nothing moves, it may yet settle
+            if fresh and not self.outputs.faults:
                 break
             if self._clock.now() >= until_s:
-                faults = [self.inputs.why_silent(role) for role in self.inputs.missing] or list(self.outputs.faults)
+                faults = [self.inputs.why_silent(role) for role in self.inputs.missing]
+                faults += [*self.outputs.faults, *unusable]
                 more = f" (and {len(faults) - 1} more: understudy doctor --robot)" if len(faults) > 1 else ""
                 raise RobotError((faults or ["no whole observation came; try again"])[0] + more)
             self._transport.wait(_LOOK_S)
