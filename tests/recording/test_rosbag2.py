@@ -89,5 +89,6 @@ def test_a_rosbag2_has_no_attachments(tmp_path: Path) -> None:
     record(tmp_path / "drive.mcap", drive(5))
     export_bag(tmp_path / "drive.mcap", tmp_path / "bag", storage="mcap")
     recording = read_recording(tmp_path / "bag")
+    assert list(recording.events()) == []
     with pytest.raises(RecordingError, match=r"has no attachment 'task.yaml'; a rosbag2 has none"):
         recording.attachment("task.yaml")
