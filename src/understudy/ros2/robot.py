@@ -97,12 +97,14 @@ class Ros2Robot:
             raise RobotError(self._halted)
         if self._observation is None:
             self.connect()
-        observation = self._observation
-        assert observation is not None
-        if self._clock.now() - self._news_s > self.document.deadman_s:
+        if self._stale:
+            self._take_in()  # it may be us who were slow
+        if self._stale:
             self._brake()
             scan = self.inputs.listening["scan"]
             raise RobotError(f"the robot was stopped: {self.inputs.why_silent(scan.role)}")
+        observation = self._observation
+        assert observation is not None
         self._observation = replace(observation, cues=()) if observation.cues else observation
         return observation
 
@@ -164,6 +166,10 @@ class Ros2Robot:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+    @property
+    def _stale(self) -> bool:
+        return self._clock.now() - self._news_s > self.document.deadman_s
 
     def _take_in(self) -> bool:
         """Whether an observation came."""
