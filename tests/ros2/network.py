@@ -152,6 +152,7 @@ class Base:
         types: "dict[str, str] | None" = None,
         qos: "dict[str, Qos] | None" = None,
         speeds: str = TWIST,
+        compressed: bool = False,
     ) -> None:
         self.network, self.spec = network, spec
         self.node = Node(network, "base")
@@ -161,7 +162,7 @@ class Base:
         self.steps = 0
         self._types, self._qos = types or {}, qos or {}
         self._rng = np.random.default_rng(1)
-        self._encoder = ObservationEncoder(spec, live=True)
+        self._encoder = ObservationEncoder(spec, live=not compressed)
         self._writers: dict[str, Writer] = {}
         self.reader = self.node.subscribe("/cmd_vel", speeds, COMMANDS)
         if spec.gripper is not None:

@@ -1,5 +1,8 @@
 """Before a robot is used: what it publishes and listens for is found out, and what is wrong said with the mend."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from tests.ros2.network import TWIST, Base, Network, Node
@@ -82,6 +85,23 @@ def test_the_type_of_the_speeds_is_found_out(type_name: str) -> None:
     if type_name == STAMPED:
         assert message.header.stamp.sec >= 1000  # type: ignore[attr-defined]  # the robot's clock, not ours
     assert last == []
+
+
+def test_compressed_pictures_are_taken_where_there_are_no_raw_ones() -> None:
+    network = Network()
+    base = Base(network, compressed=True)
+    base.change = lambda one: replace(one, image=np.full((120, 160, 3), (10, 200, 30), np.uint8))
+    with Ros2Robot(RobotDocument(), Node(network, "understudy"), network.clock) as robot:
+        robot.connect()
+        robot.sense()
+        robot.wait()
+        image = robot.sense().image
+    assert image is not None
+    assert image[60, 80].tolist() == [10, 200, 30]
+    raw = {"camera": {"message": "raw"}}
+    assert "nobody publishes /camera/image_raw (sensor_msgs/msg/Image)" in refused(
+        Base(Network(), compressed=True), **raw
+    )
 
 
 def test_a_stated_type_is_insisted_on() -> None:

@@ -20,11 +20,12 @@ from rosbags.typesys.stores import ros2_humble as ros
 from understudy.behaviors import installed_skills
 from understudy.errors import RobotError
 from understudy.learning import Lesson, learn
-from understudy.network import Task, save_task
+from understudy.network import Task, load_task, save_task, task_path
 from understudy.recording import decode_message, encode_message
+from understudy.robot import Cue
 from understudy.ros2 import RobotDocument, Ros2Robot, find_robot, open_transport
 from understudy.ros2.transport import COMMANDS, LATCHED, SENSORS, Transport
-from understudy.sessions import await_start, perform_with, recorded_demonstration, teach, teach_with
+from understudy.sessions import await_start, perform_with, practise_with, recorded_demonstration, teach, teach_with
 from understudy.sim import load_world, world_path
 
 PROGRAM = [sys.executable, "-c", "from understudy.cli import main; main()"]
@@ -77,6 +78,19 @@ def test_taught_learned_and_run_over_the_wire(domain: int, tmp_path: Path) -> No
             robot.connect(timeout_s=60.0)
             report = perform_with(robot, document, "transport", lesson.network, SKILLS)
         assert report.done
+
+
+def test_practised_over_the_wire(domain: int) -> None:
+    _, network = load_task(task_path("practice"))
+    with (
+        served("practice", "--time", "lockstep", "--once", "--domain", domain),
+        Ros2Robot(pioneer(domain)) as robot,
+    ):
+        robot.connect(timeout_s=60.0)
+        report = practise_with(robot, robot.document, "practice", network, SKILLS)
+    assert report.done
+    assert [one.word for one in report.corrections] == [Cue.BAD, Cue.COME]
+    assert [one.id for one in report.network.components] == ["track-green-1", "track-light-orange-1", "track-pink-1"]
 
 
 def test_a_robot_whose_program_is_killed(domain: int) -> None:
