@@ -42,7 +42,7 @@ def publish(results: Connection) -> None:
     robot, transport = stage.robot, open_transport("cyclonedds", domain=DOMAIN)
     encoder = ObservationEncoder(robot.spec, live=True)
     told = transport.subscribe("/cmd_vel", TWIST, COMMANDS)
-    transport.subscribe("/gripper/command", "std_msgs/msg/String", COMMANDS)
+    gripper = transport.subscribe("/gripper/command", "std_msgs/msg/String", COMMANDS)
     publications: dict[str, Publication] = {}
     latencies: list[float] = []
     slot, sent_s, begun_s = 0, 0.0, time.monotonic()
@@ -64,6 +64,7 @@ def publish(results: Connection) -> None:
         waiting = slot % 3 == 1
         while (left_s := begun_s + slot * SLOT_S - time.monotonic()) > 0:
             transport.wait(left_s)
+            gripper.take()  # or waiting would end at once, over and over
             for data in told.take():
                 if waiting:
                     latencies.append(time.monotonic() - sent_s)

@@ -14,7 +14,7 @@ def examined(base: Base, **keys: object) -> dict[str, TopicFinding]:
 
 
 def test_a_healthy_robot() -> None:
-    found = examined(Base(Network(), PIONEER), gripper={})
+    found = examined(Base(Network(), PIONEER), gripper={}, camera={"field_deg": 48.8})
     assert all(one.ok for one in found.values())
     laser, speeds = found["laser"], found["speeds"]
     assert laser.rate_hz is not None
@@ -54,6 +54,13 @@ def test_readings_that_cannot_be_used_are_told_once() -> None:
     found = examined(base, camera={"width": 160, "rows": 90})
     assert "put a size of this shape into its document" in found["readings"].fault
     assert not found["readings"].ok
+
+
+def test_a_camera_that_sees_another_field_than_the_document_says() -> None:
+    base = Base(Network())
+    found = examined(base, camera={"field_deg": 50})
+    assert "tells of a field of 69.0°, and the document of 50°; put `field_deg: 69.0` there" in found["readings"].fault
+    assert "readings" not in examined(Base(Network()), camera={"field_deg": 50, "info": None})
 
 
 def test_nothing_is_published() -> None:

@@ -98,6 +98,7 @@ class Camera(Part):
     Attributes:
         topic: of raw images; compressed ones are at the same with ``/compressed``.
         message: ``raw``, ``compressed``, or whichever of them is there.
+        info: a ``sensor_msgs/CameraInfo``, against which the doctor holds these numbers.
         x: metres before the point about which the robot turns.
         height: metres.
         tilt_deg: downward.
@@ -108,6 +109,7 @@ class Camera(Part):
 
     topic: Topic = "/camera/image_raw"
     message: Literal["detect", "raw", "compressed"] = "detect"
+    info: Topic | None = "/camera/camera_info"
     reliability: Reliability = "best_effort"
     x: Place = _CAMERA.x
     height: Length = _CAMERA.height

@@ -106,7 +106,10 @@ class Transport(Protocol):
         ...
 
     def wait(self, timeout_s: float) -> bool:
-        """Until one of the subscriptions has a message, at most so long; False if none has."""
+        """Until one of the subscriptions has a message, at most so long; False if none has.
+
+        As long as one has a message that nobody takes, it does not wait.
+        """
         ...
 
     def close(self) -> None:
