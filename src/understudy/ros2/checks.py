@@ -81,7 +81,7 @@ class TopicFinding:
 def examine(
     document: RobotDocument, transport: Transport, *, seconds: float = 5.0, clock: Clock | None = None
 ) -> list[TopicFinding]:
-    """Listens to a robot for a while. Nothing is published but where the gripper would be told; nothing moves.
+    """Listens to a robot for a while. Nothing is published, and nothing moves.
 
     Args:
         document: what it should have.
