@@ -10,8 +10,7 @@ import platform
 os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")  # as the command line has it
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # NumPy's: "on one core" is to mean it
 
-from benchmarks import campaigns, control_loop, learning_links, recordings, startup, ticks
-from benchmarks import control_loop, learning_links, recordings, ros2_control, startup, ticks
+from benchmarks import campaigns, control_loop, learning_links, recordings, ros2_control, startup, ticks
 
 BENCHMARKS = {
     "control": control_loop.main,

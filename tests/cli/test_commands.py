@@ -55,9 +55,7 @@ def test_help_names_every_command(tmp_path: Path) -> None:
     help_ = understudy("--help", folder=tmp_path).stdout
     commands = (
         "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "tasks",
-        "experiment", "schema", "doctor",
-        "demo", "teach", "learn", "plan", "generalize", "run", "practice", "show", "explain", "language", "schema",
-        "doctor", "sim", "calibrate", "export",
+        "experiment", "schema", "doctor", "sim", "calibrate", "export",
     )  # fmt: skip
     for command in commands:
         assert f"\n  {command}" in help_

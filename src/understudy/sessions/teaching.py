@@ -10,9 +10,8 @@ from understudy.errors import WorldError
 from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate, observe
 from understudy.perception import Percepts
 from understudy.recording import Recorder, read_recording
-from understudy.sessions.aloud import Aloud
-from understudy.robot import Journal
 from understudy.ros2 import Fitting, RobotDocument
+from understudy.sessions.aloud import Aloud
 from understudy.sessions.recorded import spec_of
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import Slip, World

@@ -12,9 +12,8 @@ from understudy.documents import Name as AnyName
 from understudy.documents import Part, expect_kind, first_fault, read_data
 from understudy.errors import WorldError
 from understudy.geometry import Point, Pose
-from understudy.robot import TEACHER_COLOR, Color
-from understudy.sim.habits import Habits
 from understudy.robot import ROBOTS, TEACHER_COLOR, Color, RobotSpec
+from understudy.sim.habits import Habits
 from understudy.sim.layout import check_layout
 from understudy.sim.noise import NoiseLevels
 from understudy.sim.quantities import Degrees, Length, Place, plainly, two_numbers
