@@ -75,6 +75,7 @@ def terminal(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Cap
 def test_nothing_is_kept_unless_a_name_is_given(terminal: Terminal) -> None:
     terminal.shown("one", "green", "red")
     terminal("learn one.yaml")
+    assert "understudy tasks [OPTIONS] COMMAND" in terminal("tasks")
     assert not list(terminal.folder.rglob("*.db"))
     assert "nothing in understudy-out/library.db yet" in terminal("tasks list")
     for command in ("history one", "show one", "diff one", "revert one 1", "export one one.zip"):

@@ -11,8 +11,8 @@ from understudy.behaviors import installed_skills
 from understudy.figures import describe_regression
 from understudy.language import Language, symbol_of
 from understudy.library import Regression, Sitting, regression, replays
-from understudy.network import Component, LinkType, Network, Task, relinked, task_text
-from understudy.network.builder import any_order, build, directly, do, holding, in_order, part, repeat
+from understudy.network import Component, Link, LinkType, Network, Task, relinked, task_text
+from understudy.network.builder import any_order, build, directly, do, event, holding, in_order, part, repeat
 
 from ..generalization.words import learned, paths_of, tasks, walks
 
@@ -25,6 +25,7 @@ def networks() -> Iterator[Network]:
     yield build(any_order(do("A"), do("B"), do("C")))
     yield build(in_order(any_order(do("A"), do("A")), do("B")))
     yield build(in_order(part("rounds", in_order(a, b), repeat(2)), c))
+    yield build(in_order(part("rounds", do("B"), repeat(3, until=event("enough"))), do("C")))
     yield from tasks("A B C", "A C B A", "B B")
 
 
@@ -161,6 +162,18 @@ def test_a_condition_that_did_not_hold_is_named() -> None:
         "for go to the green target the task wants that pick up the orange box holds all the while, and it did not"
     )
     assert told(loose, demonstration(CARRY))[0].broken == ()
+
+
+def test_a_step_may_be_either_of_two_that_do_the_same() -> None:
+    held = Link(source="a-1", target="b-1", type=LinkType.PERMANENT)
+    components = tuple(Component(id=id_, behavior=id_[0].upper()) for id_ in ("a-1", "a-2", "b-1"))
+    task = Network(components, (held,))
+    first = learned("d1", "A A B", {(0, 2): LinkType.PERMANENT})
+    second = learned("d2", "A A B", {(1, 2): LinkType.PERMANENT})
+    neither = learned("d3", "A A B")
+    found, _ = told(task, demonstration(first), demonstration(second, 2), demonstration(neither, 3), before=task)
+    assert [one.number for one in found.fits] == [1, 2]
+    assert len(found.before[0].unheld) == 1
 
 
 def test_what_did_not_fit_before_is_told_apart() -> None:

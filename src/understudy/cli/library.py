@@ -18,8 +18,14 @@ if TYPE_CHECKING:
 
 __all__ = ["commands"]
 
-commands = typer.Typer(rich_markup_mode=None, no_args_is_help=True)
+commands = typer.Typer(rich_markup_mode=None, invoke_without_command=True)
 """The commands below ``understudy tasks``."""
+
+
+@commands.callback()
+def _main(context: typer.Context) -> None:
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
 
 
 class SittingName(StrEnum):
@@ -71,7 +77,7 @@ def list_tasks(library: LibraryPlace = None, as_json: Json = False) -> None:
 
 @commands.command("history")
 def history(task: _Task, library: LibraryPlace = None, as_json: Json = False) -> None:
-    """Every revision of a task: what it was made from, why, and what was recorded of it."""
+    """Every revision of a task, and what was recorded."""
     opened = _opened(library)
     revisions, sittings = opened.history(task), opened.sittings(task)
     if as_json:
@@ -118,7 +124,7 @@ def show(
     library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
-    """One revision in plain words: where it comes from, and what it does."""
+    """One revision in plain words."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
     from understudy.figures import describe_task  # noqa: PLC0415
     from understudy.library import network_of  # noqa: PLC0415
@@ -144,7 +150,7 @@ def diff(
     library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
-    """What tells two revisions apart, one sentence for every difference."""
+    """What tells two revisions apart."""
     from understudy.library import network_of  # noqa: PLC0415
     from understudy.network import differences  # noqa: PLC0415
 
@@ -177,7 +183,10 @@ def revert(
     library: LibraryPlace = None,
     as_json: Json = False,
 ) -> None:
-    """Makes a new revision just like an earlier one. Nothing is taken out, so this can be taken back, too."""
+    """Make the task what it was in an earlier revision.
+
+    That is a new revision just like the earlier one. Nothing is taken out, so this can be taken back, too.
+    """
     from understudy.library import network_of  # noqa: PLC0415
 
     opened = _opened(library)
@@ -206,7 +215,7 @@ def recording(
     file: Annotated[Path, typer.Argument(help="The file to be written. Nothing is overwritten.")],
     library: LibraryPlace = None,
 ) -> None:
-    """Writes the recording of a demonstration or a run into a file again."""
+    """Write what was recorded into a file again."""
     from understudy.documents import new_file  # noqa: PLC0415
 
     opened = _opened(library)
