@@ -1,5 +1,6 @@
 """Campaigns: kept as they come, gone on with after any end, the same trials whoever makes them."""
 
+import logging
 import signal
 import sqlite3
 import subprocess
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import psutil
 import pytest
+from distributed import LocalCluster
 
 from understudy.errors import CampaignError, MissingExtraError
 from understudy.experiments import (
@@ -205,6 +207,36 @@ def test_a_worker_with_another_program_makes_nothing(tiny: Experiment) -> None:
     unit = Unit(experiment=tiny, row=tiny.row("both"), seed=1)
     with pytest.raises(CampaignError, match=r"another state of the program: source \w+ instead of older; install"):
         workforce._make(unit, workforce.fingerprint() | {"source": "older"})
+
+
+def scheduler(workers: int) -> LocalCluster:
+    """One that runs already, its workers in this process."""
+    return LocalCluster(
+        n_workers=workers, threads_per_worker=1, processes=False, protocol="tcp://", host="127.0.0.1",
+        dashboard_address="127.0.0.1:0", silence_logs=logging.CRITICAL,
+    )  # fmt: skip
+
+
+def test_a_scheduler_without_workers_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workforce, "_ANSWER_S", 0.5)
+    with (
+        scheduler(0) as cluster,
+        pytest.raises(CampaignError, match="has no workers; start some with `dask worker tcp"),
+    ):
+        DaskWorkers(1, cluster.scheduler_address).__enter__()
+
+
+def test_any_scheduler_will_do_and_one_that_goes_away_costs_nothing_that_was_made(
+    tiny: Experiment, undisturbed: list[Trial], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(workforce, "_ANSWER_S", 5.0)
+    with campaign(tiny, tmp_path) as disturbed, scheduler(1) as cluster:
+        address = cluster.scheduler_address
+        gone = pytest.raises(CampaignError, match="the Dask scheduler is gone; give the same command again to go on")
+        with gone, DaskWorkers(1, address) as force:
+            disturbed.go_on(force, lambda standing: cluster.close() if standing.done == 2 else None)
+        assert 2 <= len(disturbed.trials) < 12
+        assert [trial for trial in undisturbed if trial in disturbed.trials] == disturbed.trials
 
 
 def worker_processes(process: psutil.Process) -> list[psutil.Process]:

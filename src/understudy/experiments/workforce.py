@@ -99,7 +99,7 @@ class DaskWorkers:
                     threads_per_worker=1,
                     processes=True,
                     host="127.0.0.1",
-                    dashboard_address=None,
+                    dashboard_address="127.0.0.1:0",  # any free port: there may be several campaigns
                     memory_limit=0,  # nothing is kept by workers, so there is nothing that Dask could put aside
                     silence_logs=logging.CRITICAL,
                 )
@@ -111,6 +111,7 @@ class DaskWorkers:
         return self
 
     def _connected(self, distributed: Any) -> Any:
+        logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what goes wrong is said below, in one line
         try:
             client = distributed.Client(self._scheduler, timeout=_ANSWER_S)
         except (OSError, ValueError) as error:  # ValueError: it is no address
