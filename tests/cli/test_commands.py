@@ -78,14 +78,19 @@ def test_help_imports_nothing_heavy() -> None:
 
 
 def test_teachers_of_other_habits_and_what_the_robot_says_to_them(tmp_path: Path) -> None:
-    (tmp_path / "w.yaml").write_text(yaml.safe_dump(TINY), encoding="utf-8")
-    told = understudy("teach", "w.yaml", "--habits", "inexperienced", "--heeds", "1", "--json", folder=tmp_path)
+    spoken = [{"say": "START"}, {"walk": [2.2, 0.9]}, {"say": "HERE"}, {"wait": 3.0}, {"say": "DONE"}]
+    room = TINY | {"teacher": {"at": [1.3, 0.9], "script": spoken}}
+    (tmp_path / "w.yaml").write_text(yaml.safe_dump(room), encoding="utf-8")
+    told = understudy("teach", "w.yaml", "--habits", "instructed", "--heeds", "1", "--json", folder=tmp_path)
     record = json.loads(told.stdout)
     assert record["slips"]
-    assert {"time_s", "what"} == set(record["remarks"][0])
+    assert any(remark["what"].startswith("HERE: I ") for remark in record["remarks"])
     plain = understudy("teach", "w.yaml", folder=tmp_path).stdout
-    assert "What the robot said:" in plain
+    assert "What the robot said:\n" in plain
+    assert "HERE: I took note of green\n" in plain
     assert "slipped" not in plain
+    refused = understudy("teach", "w.yaml", "--habits", "careless", folder=tmp_path, expect=2)
+    assert "inexperienced" in refused.stderr
 
 
 def test_teach_learn_run(workspace: Path) -> None:

@@ -13,6 +13,7 @@ from understudy.network import LinkType, expand_links
 from understudy.recording import read_recording
 from understudy.sessions import recorded_demonstration, teach
 from understudy.sim import World, load_world, world_path
+from understudy.sim.teacher import ScriptedTeacher
 
 from .conftest import Demonstrated
 
@@ -100,6 +101,19 @@ def test_the_recording_holds_what_the_robot_was_told_and_the_world(demonstrated:
     assert kinds.count("errand-done") == 2
     assert len(list(recording.commands())) == len(list(recording.observations(images=False)))
     assert recording.attachment("world.yaml") == shown.world.to_yaml().encode()
+
+
+def test_what_the_robot_said_is_in_the_recording_and_its_teacher_hears_it(
+    demonstrated: Show, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown = demonstrated("transport")
+    events = [event for event in read_recording(shown.recording).events() if event["kind"] == "remark"]
+    assert [(event["time_s"], event["what"]) for event in events] == list(shown.taught.remarks)
+    assert (events[0]["about"], events[0]["noted"]) == ("noted", ["green"])
+    heard: list[str] = []
+    monkeypatch.setattr(ScriptedTeacher, "hear", lambda self, remark: heard.append(remark["what"]))
+    again = teach(shown.world, installed_skills())
+    assert heard == [what for _, what in again.remarks] == [what for _, what in shown.taught.remarks]
 
 
 def test_the_same_seed_gives_the_same_demonstration_bit_for_bit(demonstrated: Show, tmp_path: Path) -> None:

@@ -21,9 +21,6 @@ __all__ = ["Observer"]
 
 SALIENT = (Cue.HERE, Cue.TAKE, Cue.DROP)
 
-TAKE_BACK_S = 10.0
-"""So long after a word BAD takes it back (A.6)."""
-
 Kind = TypeVar("Kind", bound=tuple[str, tuple[tuple[str, ParameterValue], ...]])
 """An :class:`Instance`, or the skills' own pair of behavior and discrete parameters."""
 
@@ -86,7 +83,7 @@ class Observer:
     word pointed at, one thing for each BAD, the farthest first: it does not belong to the task.
 
     Args:
-        settings: ``merge_gap_s``, ``begin`` and ``end`` matter here.
+        settings: ``merge_gap_s``, ``take_back_s``, ``begin`` and ``end`` matter here, and what words point at.
     """
 
     def __init__(self, settings: LearningSettings | None = None) -> None:
@@ -200,13 +197,15 @@ class Observer:
         return tuple(one for one in things if (time_s, cue, one.instance) not in self._taken_back)
 
     def _take_back(self, time_s: float) -> None:
-        for last_s, cue in self._cues[-1:]:
-            things = self.pointed_at(last_s, cue) if micros(time_s) - micros(last_s) <= micros(TAKE_BACK_S) else ()
-            if things:
-                self._taken_back.append((last_s, cue, things[-1].instance))
-                self._notes.append(f"{things[-1].instance} was taken back: {cue} at {last_s:.1f} s did not mean it.")
-                return
-        self._notes.append(f"BAD at {time_s:.1f} s was ignored: there was nothing to take back.")
+        since = micros(time_s) - micros(self.settings.take_back_s)
+        recent = [word for word in self._cues[-1:] if micros(word[0]) > since]
+        things = [(*word, one.instance) for word in recent for one in self.pointed_at(*word)]
+        if not things:
+            self._notes.append(f"BAD at {time_s:.1f} s was ignored: there was nothing to take back.")
+            return
+        self._taken_back.append(things[-1])
+        last_s, cue, instance = things[-1]
+        self._notes.append(f"{instance} was taken back: {cue} at {last_s:.1f} s did not mean it.")
 
     def _begin(self, time_s: float, instance: Instance, values: Mapping[str, float]) -> Track:
         """A new observation, or the last one of its kind again when the gap was short (§4.4.1, ε)."""

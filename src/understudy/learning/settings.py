@@ -24,7 +24,9 @@ class LearningSettings:
         merge_gap_s: two observations of one kind, no farther apart than this, are one (ε of §4.4.1).
         min_duration_s: shorter observations are false indications (§4.4.1: "less than 2sec.").
         max_distance_m: what was last seen farther away was not visited (§4.4.1: "greater than 2 meters").
-        cue_grace_s: how early or late a word may come, by human timing.
+        cue_grace_s: how early or late a word may come, by human timing. It is late for a thing that is out of view only
+            if no other one is in view (:func:`~understudy.learning.pointing.pointed_at`).
+        take_back_s: how long after a word BAD takes back what it pointed at (A.6: "within 10 seconds"); 0 is never.
         cue_delay_s: how long after TAKE or DROP the robot may need until it holds the box or has let go of it.
         cue_effects: the behaviors whose goal a word brings about; they may come true ``cue_delay_s`` after it.
         heed_cues: keep only what the teacher's words fall on, if there were any; off, all that was observed belongs to
@@ -49,6 +51,7 @@ class LearningSettings:
     min_duration_s: float = 2.0
     max_distance_m: float = 2.0
     cue_grace_s: float = 1.5
+    take_back_s: float = 10.0
     cue_delay_s: float = 30.0
     cue_effects: Mapping[Cue, frozenset[str]] = field(
         default_factory=lambda: MappingProxyType(

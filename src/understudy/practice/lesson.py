@@ -38,7 +38,8 @@ class Showing:
     ) -> None:
         self.asked = asked
         self._skills = skills
-        self._settings = replace(settings or LearningSettings(), begin=Cue.COME, end=Cue.GO)
+        # BAD is a word about the run here, and takes nothing of the lesson back.
+        self._settings = replace(settings or LearningSettings(), begin=Cue.COME, end=Cue.GO, take_back_s=0.0)
         self._apprentice = Apprentice(skills, spec, seed=seed)
         self._observer = Observer(self._settings)
 

@@ -60,6 +60,7 @@ class ScriptedTeacher:
         self._truth = truth
         self._surroundings = Surroundings(arena, truth)
         self._document, self._meant = document, document.script
+        self._habits = document.habits  # at this moment
         targets = [(target.color, Point(*target.at)) for target in arena.world.targets]
         self._listener = Listener(document.script, targets, document.habits.heeds, random)
         names = [robot.name for robot in arena.world.robots]
@@ -114,10 +115,6 @@ class ScriptedTeacher:
     def at(self) -> str:
         """The script's item that is being played, ``script[3]: walk to (2.4, 1.4)``; empty at the script's end."""
         return "" if self._at_end else f"script[{self._item}]: {self._current}"
-
-    @property
-    def _habits(self) -> Habits:
-        return Habits(patience=self._document.habits.patience) if self._careful is not None else self._document.habits
 
     @property
     def _current(self) -> ScriptItem:
@@ -203,6 +200,8 @@ class ScriptedTeacher:
     def _start_item(self, item: int) -> None:
         if item != self._careful:
             self._careful = None
+        own = self._document.habits
+        self._habits = own if self._careful is None else Habits(patience=own.patience)
         self.gait.speed = self._document.speed * self._habits.pace
         self._item = item
         self._begun, self._from = self._now, self.gait.place
