@@ -14,6 +14,7 @@ from understudy.geometry import Point, Pose
 from understudy.robot import RGB, CameraMount
 from understudy.sim.body import RobotBody
 from understudy.sim.lens import NEAR_M, Floats, Lens, clipped
+from understudy.sim.misreading import Misreading
 from understudy.sim.noise import NoiseLevels
 from understudy.sim.scenery import Cylinders, Paint, Prisms, Scenery
 
@@ -52,9 +53,17 @@ class Camera:
         scenery: what there is to see.
         noise: how much the picture errs.
         rng: where its noise comes from.
+        colors: where the errors in the colors of things come from.
     """
 
-    def __init__(self, body: RobotBody, scenery: Scenery, noise: NoiseLevels, rng: np.random.Generator) -> None:
+    def __init__(
+        self,
+        body: RobotBody,
+        scenery: Scenery,
+        noise: NoiseLevels,
+        rng: np.random.Generator,
+        colors: np.random.Generator,
+    ) -> None:
         self._body, self._scenery, self._noise, self._rng = body, scenery, noise, rng
         self._mount: CameraMount = body.spec.camera
         self._lens = Lens(self._mount)
@@ -66,6 +75,8 @@ class Camera:
             [i for i, owner in enumerate(things.owners) if owner != body.index.body]
             for things in (scenery.prisms, scenery.cylinders)
         )
+        self._boxes = Misreading(scenery.prisms.paints, scenery.prisms.boxes, noise, colors)
+        self._targets = Misreading(scenery.cylinders.paints, scenery.cylinders.targets, noise, colors)
         levels = range(-_GAIN_LEVELS, _GAIN_LEVELS + 1)
         self._gains = [1.0 + 3.0 * noise.illumination * level / _GAIN_LEVELS for level in levels]
         self._backgrounds = [_background(self._mount, gain) for gain in self._gains]
@@ -78,6 +89,8 @@ class Camera:
         level = round(_GAIN_LEVELS * (1.0 + min(1.0, max(-1.0, self._light / 3.0))))
         gain, image = self._gains[level], self._backgrounds[level].copy()
         eye = Pose(*pose.to_parent(Point(self._mount.x, 0.0)), pose.heading)
+        self._boxes.look()
+        self._targets.look()
         self._draw_walls(image, eye, gain)
         self._draw_things(image, eye, gain)
         if self._rng.random() < self._noise.false_blobs:
@@ -135,7 +148,12 @@ class Camera:
         It ends where the sight lines touch the cylinder; lens and cylinder share the vertical, so that both edges
         are straight and upright in space.
         """
-        radius, bottom, top, paint = cylinders.radii[i], cylinders.bottoms[i], cylinders.tops[i], cylinders.paints[i]
+        radius, bottom, top, paint = (
+            cylinders.radii[i],
+            cylinders.bottoms[i],
+            cylinders.tops[i],
+            self._targets.paints[i],
+        )
         away = place.distance
         # What lies above the picture's upper edge need not be drawn, and would be behind the tilted lens when near.
         upper = min(top, self._mount.height + (away + radius) * math.tan(math.radians(10)))
@@ -181,7 +199,7 @@ class Camera:
                 continue
             sign = 1 if place > 0 else -1
             sunward = sign * (ax * math.cos(_LIGHT_FROM) + ay * math.sin(_LIGHT_FROM))
-            lit = _lit(prisms.paints[i], gain * (0.9 + 0.17 * sunward + 0.12 * max(0.0, sign * az)))
+            lit = _lit(self._boxes.paints[i], gain * (0.9 + 0.17 * sunward + 0.12 * max(0.0, sign * az)))
             face = prisms.FACES[axis, sign]
             if before_the_lens:
                 cv2.fillConvexPoly(image, np.array([pixels[corner] for corner in face], np.int32), lit)

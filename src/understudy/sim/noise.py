@@ -23,6 +23,9 @@ class NoiseLevels(Part):
         odometry_scale: of the wheels' scale error, drawn once a run, as a share of the distance and of the turn.
         odometry_heading: random drift of the heading, radians for a metre driven or a radian turned.
         false_blobs: pictures with a patch of a color that is not there (§4.5.5), as a share of all.
+        misread_colors: pictures in which a target or a box has another trained color than its own (§4.5.6), as a share
+            of all.
+        misread_s: how long the color that a thing is taken for lasts, on average, seconds; 0 for a single picture.
         beam_misreads: readings of the gripper's beam that are wrong, as a share of all.
     """
 
@@ -33,6 +36,8 @@ class NoiseLevels(Part):
     odometry_scale: Level = 0.015
     odometry_heading: Level = 0.01
     false_blobs: Rate = 0.02
+    misread_colors: Rate = 0.0
+    misread_s: Level = 0.0
     beam_misreads: Rate = 0.0002
 
     @classmethod
@@ -50,9 +55,10 @@ class NoiseStreams:
     camera: np.random.Generator
     odometry: np.random.Generator
     gripper: np.random.Generator
+    colors: np.random.Generator
 
     @classmethod
     def spawn(cls, seed: np.random.SeedSequence) -> Self:
         """Independent streams for one robot."""
-        laser, sonar, camera, odometry, gripper = (np.random.default_rng(child) for child in seed.spawn(5))
-        return cls(laser=laser, sonar=sonar, camera=camera, odometry=odometry, gripper=gripper)
+        laser, sonar, camera, odometry, gripper, colors = (np.random.default_rng(child) for child in seed.spawn(6))
+        return cls(laser=laser, sonar=sonar, camera=camera, odometry=odometry, gripper=gripper, colors=colors)

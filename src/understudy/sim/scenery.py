@@ -68,8 +68,11 @@ class Prisms:
         geoms: list[int] = []
         self.paints: list[Paint] = [_WALL_PAINT] * len(pieces)
         self.owners: list[int] = [-1] * len(pieces)
+        self.boxes: list[int] = []
+        """Which of them are boxes."""
         for geom, (thing, number) in enumerate(arena.things):
             if thing is Thing.BOX:
+                self.boxes.append(len(self.paints))
                 self.paints.append(RGB[world.boxes[number].color])
                 self.owners.append(-1)
             elif thing is Thing.DOOR:
@@ -108,9 +111,12 @@ class Cylinders:
         geoms: list[int] = []
         self.paints: list[Paint] = []
         self.owners: list[int] = []
+        self.targets: list[int] = []
+        """Which of them are targets."""
         for geom, (thing, number) in enumerate(arena.things):
             owner = -1
             if thing is Thing.TARGET:
+                self.targets.append(len(geoms))
                 color = world.targets[number].color
             elif thing is Thing.PERSON:
                 color = TEACHER_COLOR

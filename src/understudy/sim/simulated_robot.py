@@ -49,7 +49,7 @@ class SimRobot:
         self._body, self._now, self._step = body, now, step
         self._laser = Laser(model, data, body, noise, streams.laser)
         self._sonars = SonarRing(model, data, body, noise, streams.sonar)
-        self._camera = Camera(body, scenery, noise, streams.camera)
+        self._camera = Camera(body, scenery, noise, streams.camera, streams.colors)
         self._odometry = WheelOdometry(body.pose, noise, streams.odometry)
         self._gripper = GripperSensor(model, data, body, noise, streams.gripper)
         self._sensed: Observation | None = None
