@@ -44,6 +44,12 @@ _OFFSETS = np.radians(sorted(range(-112, 113, 7), key=lambda degrees: (abs(degre
 
 _TIMES = np.array([0.15, 0.35, 0.6, 0.9])
 
+_CREEP = 0.12
+"""Metres a second: slow enough to be changed at any tick."""
+
+_STEPS = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)
+"""Metres, forward and back, at which room for a turn is looked for."""
+
 
 class Avoid:
     """Keeps one robot clear of obstacles. Holds no run-time state.
@@ -69,7 +75,9 @@ class Avoid:
             aim: what is approached on purpose, or None.
             aim_radius: its radius.
         """
-        reach = self.settings.look_ahead if aim is None else min(self.settings.look_ahead, aim.distance)
+        reach = min(self.settings.look_ahead, head.way + self._outline[1] + self.settings.margin)
+        if aim is not None:
+            reach = min(reach, aim.distance)
         near = _around_robot(obstacles, reach + self.settings.corridor)
         if aim is not None:
             near = near.T.compress(~_within(near, aim, aim_radius + 0.12), axis=1).T
@@ -112,29 +120,56 @@ class Avoid:
         near = _around_robot(obstacles, limit)
         if not len(near):
             return drive, False
-        # What is within the margin already may stay there, but not come nearer.
-        margins = np.minimum(self._clearance(near[:, 0], near[:, 1]) - 0.005, self.settings.margin)
-        if aim is not None:
-            close = _within(near, aim, aim_radius + 0.12)
-            margins[close] = np.minimum(margins[close], self.settings.aim_margin)
+        margins = self._margins(near, aim, aim_radius)
         if self._safe(drive, near, margins):
             return drive, False
         linear, angular = drive.linear, drive.angular
+        milder = [Drive(linear=0.5 * linear, angular=angular), Drive(angular=angular)]
         turn = angular if abs(angular) > 0.2 else 0.5
-        for choice in (
-            Drive(linear=0.5 * linear, angular=angular),
-            Drive(angular=angular),
-            Drive(linear=-0.12, angular=0.5 * turn),
-            Drive(linear=-0.12),
-            Drive(linear=-0.12, angular=-0.5 * turn),
-            Drive(linear=0.12),
-            Drive(linear=0.12, angular=turn),
-            Drive(linear=0.12, angular=-turn),
+        others = [
+            Drive(linear=-_CREEP, angular=0.5 * turn),
+            Drive(linear=-_CREEP),
+            Drive(linear=-_CREEP, angular=-0.5 * turn),
+            Drive(linear=_CREEP),
+            Drive(linear=_CREEP, angular=turn),
+            Drive(linear=_CREEP, angular=-turn),
             Drive(angular=-turn),
-        ):
-            if choice != drive and (choice.linear or choice.angular) and self._safe(choice, near, margins):
-                return choice, True
+        ]
+        for choices in (milder, self._to_room_for(angular, obstacles, aim, aim_radius), others):
+            for choice in choices:
+                if choice != drive and (choice.linear or choice.angular) and self._safe(choice, near, margins):
+                    return choice, True
         return Drive(), True
+
+    def _to_room_for(self, angular: float, obstacles: Points, aim: Point | None, aim_radius: float) -> list[Drive]:
+        """Straight on, or straight back, to the nearest place where there is room for a turn.
+
+        Beside a target a robot cannot turn towards it: its gripper's tips would sweep into it. Whatever it tried by
+        turns, it would do and undo for ever; the nearest place remains the nearest one while it goes there.
+        """
+        if abs(angular) < 0.2:
+            return []
+        near = _around_robot(obstacles, self._reach + self.settings.margin + _STEPS[-1])
+        margins = self._margins(near, aim, aim_radius)
+        x, y = near.T
+        free = {1.0: True, -1.0: True}
+        for away in _STEPS:
+            for side in free:
+                moved = x - side * away
+                free[side] &= bool((self._clearance(moved, y) >= margins).all())
+                if free[side] and self._safe(Drive(angular=angular), np.stack((moved, y), axis=1), margins):
+                    return [Drive(linear=side * _CREEP)]
+        return []
+
+    def _margins(self, near: Points, aim: Point | None, aim_radius: float) -> NDArray[np.float64]:
+        """How near each point may come. What is within the margin already may stay there, but not come nearer."""
+        margins: NDArray[np.float64] = np.minimum(
+            self._clearance(near[:, 0], near[:, 1]) - 0.005, self.settings.margin
+        )
+        if aim is not None:
+            close = _within(near, aim, aim_radius + 0.12)
+            margins[close] = np.minimum(margins[close], self.settings.aim_margin)
+        return margins
 
     def _safe(self, drive: Drive, points: Points, margins: NDArray[np.float64]) -> bool:
         """Whether the outline, carried along by the speeds, keeps every point at its margin."""

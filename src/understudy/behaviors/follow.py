@@ -32,7 +32,7 @@ class FollowTeacher:
             if gap < 0.05:
                 drive = Drive(angular=max(-1.0, min(1.0, 1.8 * teacher.bearing)))
             else:
-                drive = Head(bearing=teacher.bearing, speed=speed)
+                drive = Head(bearing=teacher.bearing, speed=speed, way=gap)
             action = Action(drive=drive, aim=teacher.position, aim_radius=teacher.radius)
             return action, {"place": (place.x, place.y), "seen_s": percepts.time_s}
         if "place" not in memory:

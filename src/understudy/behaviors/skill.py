@@ -121,12 +121,14 @@ class Drive:
 class Head:
     """Go in a direction of the robot's frame (radians, left positive) at a speed (m/s); obstacles are gone around.
 
-    The robot turns by at most ``turn`` radians a second.
+    The robot turns by at most ``turn`` radians a second. It goes no farther than ``way``, metres: what stands beyond is
+    not in its way.
     """
 
     bearing: float
     speed: float
     turn: float = 1.2
+    way: float = math.inf
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

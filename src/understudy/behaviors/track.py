@@ -119,7 +119,7 @@ class PrimitiveTrack:
                 back = wrap_angle(stand.place.bearing - math.pi)
                 drive = Drive(linear=-0.12, angular=_turn(0.8 * back))
             else:
-                drive = Head(bearing=stand.place.bearing, speed=speed)
+                drive = Head(bearing=stand.place.bearing, speed=speed, way=stand.place.distance)
         return Action(drive=drive, aim=thing.position, aim_radius=thing.radius), memory
 
     def _choose(self, percepts: Percepts, thing: Thing, wanted: float, goal_bearing: float, memory: Memory) -> Memory:

@@ -113,7 +113,8 @@ class Perception:
             blobs = find_blobs(image, paints=self.spec.paints)
             if self.landmarks.colors:
                 self._look_for_landmarks(time_s, pose, observation.scan, blobs)
-            self._look(time_s, pose, observation.scan, cylinders, blobs)
+            seen = self._look(time_s, pose, observation.scan, cylinders, blobs)
+            cylinders = [cylinder for cylinder in cylinders if cylinder not in seen]
         self._feel(time_s, pose, cylinders)
         self._forget(time_s, pose, observation.scan, looked=image is not None)
         gripper = self.gripper.update(time_s, pose, observation.gripper, self.boxes)
@@ -152,10 +153,18 @@ class Perception:
             )
         return cv2.resize(image, (camera.width, camera.rows), interpolation=cv2.INTER_AREA).astype(np.uint8)
 
-    def _look(self, time_s: float, pose: Pose, scan: Scan, cylinders: list[Cylinder], blobs: list[Blob]) -> None:
-        """Enters the camera's blobs into memory: tall ones by the laser's distance, small ones by the floor's."""
+    def _look(
+        self, time_s: float, pose: Pose, scan: Scan, cylinders: list[Cylinder], blobs: list[Blob]
+    ) -> list[Cylinder]:
+        """Enters the camera's blobs into memory: tall ones by the laser's distance, small ones by the floor's.
+
+        Returns:
+            The laser's objects that the camera knows. They are nothing else: a person who goes behind a target is not
+            where the target is.
+        """
         tall = [blob for blob in blobs if blob.top < self.projection.horizon_row - 1]
-        for blob, cylinder in self._matched(tall, cylinders):
+        matched = self._matched(tall, cylinders)
+        for blob, cylinder in matched:
             teacher = blob.color is TEACHER_COLOR
             limit = self.settings.teacher_range + 0.5 if teacher else self.settings.target_range
             if cylinder.center.distance - cylinder.radius <= limit:
@@ -164,6 +173,7 @@ class Perception:
         for blob in blobs:
             if blob.top >= self.projection.horizon_row - 1 and blob.color is not TEACHER_COLOR:
                 self._look_at_small(time_s, pose, scan, blob)
+        return [cylinder for _, cylinder in matched]
 
     def _look_for_landmarks(self, time_s: float, pose: Pose, scan: Scan, blobs: list[Blob]) -> None:
         """The camera gives the direction of a landmark, the laser the distance there (§3.5.3.2)."""
@@ -292,6 +302,8 @@ class Perception:
             for track, (x, y) in zip(
                 memory.tracks, pose.to_locals(track.place for track in memory.tracks), strict=True
             ):
+                if track.seen_s == time_s:
+                    continue  # the camera knows which of the laser's objects it is
                 nearest, index = math.inf, 0
                 for i, cylinder in enumerate(free):
                     away = math.hypot(x - cylinder.center.x, y - cylinder.center.y)
@@ -300,7 +312,7 @@ class Perception:
                 if nearest > gate:
                     continue
                 met = free.pop(index)
-                if track.believed and track.seen_s < time_s:
+                if track.believed:
                     memory.felt(track, time_s, pose, met.center, met.radius, whole=not met.cut)
 
     def _forget(self, time_s: float, pose: Pose, scan: Scan, *, looked: bool) -> None:
