@@ -94,3 +94,31 @@ def test_walled_in_it_turns() -> None:
     drive = avoid.steer(Head(bearing=0.3, speed=0.4), ring, None, 0.0)
     assert drive.linear == 0.0
     assert drive.angular != 0.0
+
+
+def test_beside_a_target_it_goes_on_to_where_it_can_turn() -> None:
+    """The gripper's tips would sweep into it; behind it there is room, and no turning back on the way there."""
+    pole = np.stack([0.15 + 0.1 * np.cos(np.linspace(0, 6, 30)), 0.42 + 0.1 * np.sin(np.linspace(0, 6, 30))], axis=1)
+    gone = 0.0
+    for _ in range(60):
+        drive, overridden = avoid.guard(Drive(angular=1.0), pole - (gone, 0.0), None, 0.0)
+        if not overridden:
+            break
+        assert drive.angular == 0.0
+        assert drive.linear > 0.0
+        gone += 0.1 * drive.linear
+    assert 0.0 < gone < 0.4
+
+
+def test_where_the_way_on_is_closed_it_goes_back_to_where_it_can_turn() -> None:
+    beside = [(0.15 + 0.1 * math.cos(a), 0.42 + 0.1 * math.sin(a)) for a in np.linspace(0, 6, 30)]
+    wall = [(0.55, y) for y in np.linspace(-0.6, 0.6, 40)]
+    drive, overridden = avoid.guard(Drive(angular=1.0), points(*beside, *wall), None, 0.0)
+    assert overridden
+    assert drive.linear < 0.0
+
+
+def test_what_stands_beyond_the_way_is_not_gone_around() -> None:
+    wall = points(*((0.85, y) for y in np.linspace(-1.5, 1.5, 60)))
+    assert avoid.steer(Head(bearing=0.0, speed=0.3, way=0.1), wall, None, 0.0).linear > 0.2
+    assert avoid.steer(Head(bearing=0.0, speed=0.3), wall, None, 0.0).linear < 0.1

@@ -257,6 +257,20 @@ def test_a_target_just_outside_the_picture_does_not_get_the_color_of_one_behind_
     assert set(perception.targets.tracks[0].votes) == {Color.GREEN}
 
 
+def test_a_teacher_who_goes_behind_a_target_is_not_where_the_target_is() -> None:
+    perception = Perception(PIONEER)
+    pole: Pillar = (Color.YELLOW, Point(0.7, 0.0))
+    walk = [Point(1.0, -0.05 * step) for step in range(7, -1, -1)]
+    for step, place in enumerate([walk[0]] * 5 + walk[1:] + [walk[-1]] * 5):
+        percepts = perception.update(observed(step / 10, [pole, (Color.BLUE, place)]))
+        if step == 4:
+            assert percepts.teacher is not None
+        assert percepts.teacher is None or percepts.teacher.position.distance_to(place) < 0.15
+    assert percepts.teacher is None
+    assert [thing.color for thing in percepts.targets] == [Color.YELLOW]
+    assert percepts.targets[0].sensed
+
+
 def test_without_pictures_the_laser_still_finds_obstacles() -> None:
     percepts = Perception(PIONEER).update(observed(0.0, [AHEAD], blind=True))
     assert percepts.targets == []

@@ -81,3 +81,29 @@ def test_the_other_robots_noise_is_its_own() -> None:
     error_a = simulation.robot("a").sense().scan.ranges[90] - 2.9
     error_b = simulation.robot("b").sense().scan.ranges[90] - 2.9
     assert error_a != error_b
+
+
+def test_where_things_only_jitter_they_stay_near_and_keep_their_gaps() -> None:
+    world = load_world(world_path("slalom"))
+    assert world.jitter == 0.2
+    rooms = [rearranged(world, seed) for seed in range(50)]
+    moved = set()
+    for room in rooms:
+        check_layout(room)
+        for before, after in zip((*world.targets, *world.robots), (*room.targets, *room.robots), strict=True):
+            shift = [abs(a - b) for a, b in zip(before.at, after.at, strict=True)]
+            assert max(shift) <= 0.2 + 1e-3
+            moved.add(round(max(shift), 1))
+        assert abs(room.robots[0].heading_deg - world.robots[0].heading_deg) <= 20.1
+        assert [target.at[1] for target in room.targets] == sorted(target.at[1] for target in room.targets)
+        for a, b in combinations(range(4), 2):
+            assert distance(room, a, b) >= 0.8 + 0.2 - 0.01
+    assert moved == {0.0, 0.1, 0.2}
+    assert len({room.targets for room in rooms}) == 50
+
+
+def test_what_only_jitters_may_stand_as_near_as_it_stood() -> None:
+    world = load_world(world_path("transport")).model_copy(update={"jitter": 0.02})
+    room = rearranged(world, 3, spacing=5.0, wall_margin=3.0, robot_clearance=3.0)
+    assert distance(room, 1, 3) == pytest.approx(distance(world, 1, 3), abs=0.06)
+    assert room.boxes[0].heading_deg == world.boxes[0].heading_deg

@@ -152,20 +152,18 @@ class Avoid:
         near = _around_robot(obstacles, self._reach + self.settings.margin + _STEPS[-1])
         margins = self._margins(near, aim, aim_radius)
         x, y = near.T
-        free = {1.0: True, -1.0: True}
+        sides = [1.0, -1.0]
         for away in _STEPS:
-            for side in free:
+            sides = [side for side in sides if (self._clearance(x - side * away, y) >= margins).all()]
+            for side in sides:
                 moved = x - side * away
-                free[side] &= bool((self._clearance(moved, y) >= margins).all())
-                if free[side] and self._safe(Drive(angular=angular), np.stack((moved, y), axis=1), margins):
+                if self._safe(Drive(angular=angular), np.stack((moved, y), axis=1), margins):
                     return [Drive(linear=side * _CREEP)]
         return []
 
     def _margins(self, near: Points, aim: Point | None, aim_radius: float) -> NDArray[np.float64]:
         """How near each point may come. What is within the margin already may stay there, but not come nearer."""
-        margins: NDArray[np.float64] = np.minimum(
-            self._clearance(near[:, 0], near[:, 1]) - 0.005, self.settings.margin
-        )
+        margins: NDArray[np.float64] = np.minimum(self._clearance(near[:, 0], near[:, 1]) - 0.005, self.settings.margin)
         if aim is not None:
             close = _within(near, aim, aim_radius + 0.12)
             margins[close] = np.minimum(margins[close], self.settings.aim_margin)

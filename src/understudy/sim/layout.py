@@ -86,8 +86,11 @@ class Footprint:
 
     def inside(self, size: tuple[float, float], margin: float = 0.0) -> bool:
         """Whether all of it lies in the arena, at least ``margin`` from its walls."""
-        edge = self.radius + margin
-        return all(edge <= c.x <= size[0] - edge and edge <= c.y <= size[1] - edge for c in self.corners)
+        return self.gap_to_arena(size) >= margin
+
+    def gap_to_arena(self, size: tuple[float, float]) -> float:
+        """Metres from its edge to the nearest of the arena's walls; less than zero where it reaches out."""
+        return min(min(c.x, size[0] - c.x, c.y, size[1] - c.y) for c in self.corners) - self.radius
 
     def _edges(self) -> Iterator[tuple[Point, Point]]:
         count = len(self.corners)

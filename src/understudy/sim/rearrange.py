@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -17,6 +18,9 @@ _TRIES_A_GROUP = 60
 _TRIES_A_ROOM = 200
 
 _TOUCHING_M = 0.05
+
+_TURN = math.radians(20)
+"""So far a robot's start turns at most in a room whose things only jitter."""
 
 
 @dataclass(slots=True, kw_only=True)
@@ -38,7 +42,8 @@ def rearranged(
     """A room with the same things at random places, for a robot that is left to itself: without a teacher.
 
     Things of one group move as one: they keep their distances and bearings to each other. Every robot starts at a
-    random free place. The same seed gives the same room, and becomes the seed of its noise.
+    random free place. The same seed gives the same room, and becomes the seed of its noise. In a world with ``jitter``
+    all of it moves by so little only, nothing turns but the robots, and what stood nearer than these gaps still may.
 
     Args:
         world: the room to be changed; its inner walls and doors stay, and targets that touch them.
@@ -51,6 +56,8 @@ def rearranged(
         WorldError: no such room was found; smaller gaps or a larger arena would help.
     """
     rng = np.random.default_rng(seed)
+    if world.jitter is not None:
+        spacing, wall_margin, robot_clearance = _gaps_kept(world, spacing, wall_margin, robot_clearance)
     for _ in range(_TRIES_A_ROOM):
         changed = _draw(world, rng, spacing, wall_margin, robot_clearance)
         if changed is not None:
@@ -68,9 +75,7 @@ def _draw(
     world: World, rng: np.random.Generator, spacing: float, wall_margin: float, robot_clearance: float
 ) -> dict[str, object] | None:
     size = world.arena.size
-    walls = [Footprint.of_wall(wall) for wall in world.walls]
-    walls += [Footprint.of_door(door, turned) for door in world.doors for turned in (door.open_deg, 0.0)]
-    walls += [Footprint.of_target(world.targets[i]) for i in _built_in(world)]
+    walls = _building(world)
     targets, boxes = list(world.targets), list(world.boxes)
     placed: list[Footprint] = []
     for group in _groups(world):
@@ -92,8 +97,7 @@ def _draw(
     robots: list[RobotStart] = []
     for robot in world.robots:
         for _ in range(_TRIES_A_GROUP):
-            x, y = (rng.random(2) * size).tolist()
-            pose = Pose(x, y, rng.uniform(-math.pi, math.pi))
+            pose = _random_start(world, robot, rng)
             shape = Footprint.of_robot(pose, robot.spec)
             if _clear([shape], size, robot_clearance, [(placed, robot_clearance), (walls, robot_clearance)]):
                 break
@@ -103,6 +107,32 @@ def _draw(
         robots.append(robot.model_copy(update=start))
         placed.append(shape)
     return {"targets": tuple(targets), "boxes": tuple(boxes), "robots": tuple(robots)}
+
+
+def _building(world: World) -> list[Footprint]:
+    walls = [Footprint.of_wall(wall) for wall in world.walls]
+    walls += [Footprint.of_door(door, turned) for door in world.doors for turned in (door.open_deg, 0.0)]
+    return walls + [Footprint.of_target(world.targets[i]) for i in _built_in(world)]
+
+
+def _gaps_kept(world: World, spacing: float, wall_margin: float, robot_clearance: float) -> tuple[float, float, float]:
+    """The gaps, but none wider than what the room has already."""
+    size, walls = world.arena.size, _building(world)
+    groups = [
+        [Footprint.of_target(world.targets[i]) for i in group.targets]
+        + [Footprint.of_box(world.boxes[i]) for i in group.boxes]
+        for group in _groups(world)
+    ]
+    things = [shape for group in groups for shape in group]
+    for group, other in combinations(groups, 2):
+        spacing = min(spacing, *(a.gap_to(b) for a in group for b in other))
+    for shape in things:
+        wall_margin = min(wall_margin, shape.gap_to_arena(size), *(shape.gap_to(wall) for wall in walls))
+    for robot in world.robots:
+        shape = Footprint.of_robot(Pose(*robot.at, math.radians(robot.heading_deg)), robot.spec)
+        others = (shape.gap_to(other) for other in walls + things)
+        robot_clearance = min(robot_clearance, shape.gap_to_arena(size), *others)
+    return spacing, wall_margin, robot_clearance
 
 
 def _built_in(world: World) -> set[int]:
@@ -137,8 +167,20 @@ def _random_move(world: World, group: _Group, rng: np.random.Generator) -> tuple
     """The frame of a group, before and after."""
     places = [world.targets[i].at for i in group.targets] + [world.boxes[i].at for i in group.boxes]
     middle = Pose(sum(x for x, _ in places) / len(places), sum(y for _, y in places) / len(places))
+    if world.jitter is not None:
+        dx, dy = rng.uniform(-world.jitter, world.jitter, 2).tolist()
+        return middle, Pose(middle.x + dx, middle.y + dy)
     x, y = (rng.random(2) * world.arena.size).tolist()
     return middle, Pose(x, y, rng.uniform(-math.pi, math.pi))
+
+
+def _random_start(world: World, robot: RobotStart, rng: np.random.Generator) -> Pose:
+    if world.jitter is not None:
+        dx, dy = rng.uniform(-world.jitter, world.jitter, 2).tolist()
+        turned = rng.uniform(-_TURN, _TURN)
+        return Pose(robot.at[0] + dx, robot.at[1] + dy, math.radians(robot.heading_deg) + turned)
+    x, y = (rng.random(2) * world.arena.size).tolist()
+    return Pose(x, y, rng.uniform(-math.pi, math.pi))
 
 
 def _moved_target(target: Target, move: tuple[Pose, Pose]) -> Target:

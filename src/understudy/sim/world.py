@@ -16,7 +16,7 @@ from understudy.robot import ROBOTS, TEACHER_COLOR, Color, RobotSpec
 from understudy.sim.habits import Habits
 from understudy.sim.layout import check_layout
 from understudy.sim.noise import NoiseLevels
-from understudy.sim.quantities import Degrees, Length, Place, plainly, two_numbers
+from understudy.sim.quantities import Degrees, Length, Metres, Place, plainly, two_numbers
 from understudy.sim.script import ScriptItem
 
 __all__ = [
@@ -184,6 +184,8 @@ class World(Part):
         name: what it is called.
         seed: of every random number in a run.
         arena: the walled floor.
+        jitter: how far, along x and along y, things and robots move when the room is rearranged, metres; anywhere if
+            None.
         walls: further walls.
         doors: swinging doors.
         targets: tall cylinders.
@@ -197,6 +199,7 @@ class World(Part):
     name: Name
     seed: Annotated[int, Field(ge=0), plainly("a whole number, 0 or more")] = 0
     arena: Arena
+    jitter: Metres | None = None
     walls: tuple[Wall, ...] = ()
     doors: tuple[Door, ...] = ()
     targets: tuple[Target, ...] = ()
