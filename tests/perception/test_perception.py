@@ -142,6 +142,15 @@ def test_a_box_stands_where_its_foot_is(distance: float) -> None:
     assert percepts.targets == []
 
 
+def test_a_false_blob_beside_a_box_does_not_move_it() -> None:
+    perception = Perception(PIONEER)
+    for step in range(6):
+        perception.update(observed(step / 10, [], boxes=[(Color.ORANGE, Point(1.0, 0.0))]))
+    [box] = perception.update(observed(0.6, [], boxes=[(Color.PINK, Point(1.0, 0.15))])).boxes
+    assert box.color == Color.ORANGE
+    assert box.position.distance_to(Point(1.0, 0.0)) < 0.05
+
+
 def test_a_box_is_not_forgotten_while_it_slides_out_of_the_picture() -> None:
     """Slowly driven up to, its foot is cut off first; from then on memory must do (§4.5.4.3)."""
     perception = Perception(PIONEER)

@@ -85,14 +85,21 @@ class Memory:
         return best
 
     def sighted(self, time_s: float, pose: Pose, position: Point, radius: float, color: Color) -> Track:
-        """The camera saw a thing of a color at ``position`` (robot's frame)."""
+        """The camera saw a thing of a color at ``position`` (robot's frame).
+
+        In another color than it is believed to have it is there, but does not move: a false blob beside a thing is no
+        sighting of it (§4.5.6).
+        """
         place = pose.to_parent(position)
         track = self.nearest(place, self.settings.gate_m + self.settings.gate_per_m * position.distance)
         if track is None:
             track = Track(self.next_id, place, radius, time_s, time_s)
             self.next_id += 1
             self.tracks.append(track)
-        self._move(track, time_s, place, radius)
+        if track.believed and color is not track.color:
+            self._meet(track, time_s)
+        else:
+            self._move(track, time_s, place, radius)
         track.followed = True
         track.votes[color] += 1
         track.sightings += 1
@@ -115,12 +122,16 @@ class Memory:
         if whole:
             self._move(track, time_s, pose.to_parent(position), radius)
         else:
-            track.seen_s, track.misses, track.near_s = time_s, 0, 0.0
+            self._meet(track, time_s)
 
     def _move(self, track: Track, time_s: float, place: Point, radius: float) -> None:
         keep, take = 1 - self.settings.smoothing, self.settings.smoothing
         track.place = Point(keep * track.place.x + take * place.x, keep * track.place.y + take * place.y)
         track.radius = 0.8 * track.radius + 0.2 * radius
+        self._meet(track, time_s)
+
+    @staticmethod
+    def _meet(track: Track, time_s: float) -> None:
         track.seen_s, track.misses, track.near_s = time_s, 0, 0.0
 
     def contradict(self, time_s: float, pose: Pose, missing: Callable[[Track], bool]) -> None:
