@@ -62,7 +62,7 @@ def times_of(performed: Performed, component: str, state: str) -> list[float]:
     ]
 
 
-@pytest.mark.parametrize("name", ["visit_targets", "transport"])
+@pytest.mark.parametrize("name", ["visit_targets", "transport", "slalom", "clutter"])
 @pytest.mark.parametrize("seed", [11, 12])
 def test_the_task_is_done_in_the_same_room_and_in_a_changed_one(demonstrated: Show, name: str, seed: int) -> None:
     shown = demonstrated(name)

@@ -8,7 +8,7 @@ import pytest
 
 from understudy.behaviors import installed_skills
 from understudy.errors import LearningError, RecordingError, WorldError
-from understudy.learning import learn
+from understudy.learning import LearningSettings, learn
 from understudy.network import LinkType, expand_links
 from understudy.recording import read_recording
 from understudy.sessions import recorded_demonstration, teach
@@ -74,6 +74,50 @@ def test_the_gate_is_passed_between_its_posts(demonstrated: Show) -> None:
     by_id = demonstrated("transport").network.by_id
     assert float(by_id["track-yellow-1"].parameters["angle_deg"]) > 160
     assert float(by_id["track-light-orange-1"].parameters["angle_deg"]) < 20
+
+
+def test_a_slalom_is_learned_with_enabling_links(demonstrated: Show) -> None:
+    """§4.5.4.2 and Figure 4.11: "the robot began to track a new target while still near the previous one"."""
+    shown = demonstrated("slalom")
+    assert steps(shown) == [("Track", color) for color in ("pink", "yellow", "green", "light orange")]
+    ids = [component.id for component in shown.network.components]
+    assert links(shown) == dict.fromkeys(pairwise(ids), LinkType.ENABLING)
+    angles = [float(component.parameters["angle_deg"]) for component in shown.network.components]
+    assert [angle < 30 for angle in angles] == [True, False, True, False]
+    assert [angle > 150 for angle in angles] == [False, True, False, True]
+    assert shown.taught.verdict.clean
+    assert not shown.taught.verdict.grazes
+
+
+def test_words_keep_the_distractors_out_of_a_task(demonstrated: Show) -> None:
+    """§4.5.5.1 and Figure 4.16: the robot is led past an orange and a second yellow target, and nobody says a word."""
+    shown = demonstrated("clutter")
+    assert steps(shown) == [
+        ("Drop", ""),
+        ("Track", "light green"),
+        ("PickUp", "orange"),
+        ("Track", "yellow"),
+        ("Track", "light orange"),
+        ("Track", "green"),
+        ("Drop", ""),
+        ("Track", "light green"),
+    ]
+    found = links(shown)
+    carried = {target for (source, target) in found if source == "pick-up-orange-1"}
+    assert carried == {"track-yellow-1", "track-light-orange-1", "track-green-1"}
+    assert all(found["pick-up-orange-1", target] is LinkType.PERMANENT for target in carried)
+    left_out = {(str(one.observed.instance), one.reason) for one in shown.lesson.dropped}
+    silent = "no cue while it was true"
+    assert left_out == {("Track(color=orange)", silent), ("Track(color=yellow)", silent)}
+    assert shown.taught.verdict.clean
+
+
+def test_without_words_the_distractors_are_learned(demonstrated: Show) -> None:
+    shown = demonstrated("clutter")
+    everything = learn(shown.taught.demonstration, LearningSettings(heed_cues=False)).network
+    ids = [component.id for component in everything.components]
+    assert ids[-3:] == ["track-orange-1", "track-yellow-2", "track-light-green-2"]
+    assert set(shown.network.by_id) < {*ids}
 
 
 def test_every_link_has_its_evidence(demonstrated: Show) -> None:
