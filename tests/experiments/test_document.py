@@ -89,7 +89,7 @@ def test_a_task_that_does_not_fit_the_skills_is_refused(tmp_path: Path) -> None:
 
 
 def test_an_experiment_that_is_not_there() -> None:
-    with pytest.raises(ExperimentError, match="no such experiment among: delivery, "):
+    with pytest.raises(ExperimentError, match="no such experiment among: clutter, delivery, "):
         find_experiment("tea")
 
 
