@@ -148,12 +148,8 @@ class Camera:
         It ends where the sight lines touch the cylinder; lens and cylinder share the vertical, so that both edges
         are straight and upright in space.
         """
-        radius, bottom, top, paint = (
-            cylinders.radii[i],
-            cylinders.bottoms[i],
-            cylinders.tops[i],
-            self._targets.paints[i],
-        )
+        radius, bottom, top = cylinders.radii[i], cylinders.bottoms[i], cylinders.tops[i]
+        paint = self._targets.paints[i]
         away = place.distance
         # What lies above the picture's upper edge need not be drawn, and would be behind the tilted lens when near.
         upper = min(top, self._mount.height + (away + radius) * math.tan(math.radians(10)))
