@@ -109,9 +109,7 @@ def test_another_experiment_is_refused_until_it_is_begun_anew(experiment: Comman
     write_tiny(tmp_path, learning={"min_duration_s": 1.5})
     code, _, err = experiment(*command)
     assert code == 2
-    assert (
-        "holds trials of another experiment: experiment: learning was not given, and is {'min_duration_s': 1.5}" in err
-    )
+    assert "trials of another experiment or program: experiment: learning was not given, and is {'min_durat" in err
     code, _, err = experiment(*command, "--fresh")
     assert (code, err) == (0, "What was made until now is in understudy-out/tiny-campaign-before\n")
     assert (tmp_path / "understudy-out" / "tiny-campaign-before" / "trials.db").exists()

@@ -6,7 +6,7 @@ which experiment, and of which state of the program, and is one campaign's alone
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -55,27 +55,31 @@ class Store:
 
     def __init__(self, path: Path, experiment: Experiment) -> None:
         self.path = path
-        with self._said():
+        with self._said(), ExitStack() as stack:
             engine = create_engine(
                 f"sqlite:///{path}", poolclass=StaticPool, connect_args={"timeout": 0.0, "check_same_thread": False}
             )
-            self._engine, self._connection = engine, engine.connect()
+            stack.callback(engine.dispose)
+            self._connection = stack.enter_context(engine.connect())
             # The lock is the operating system's, and ends with the process, however that ends.
             self._connection.exec_driver_sql("PRAGMA locking_mode=EXCLUSIVE")
             self._connection.exec_driver_sql("BEGIN EXCLUSIVE")
-            _TABLES.create_all(self._connection)
-            known = {row.key: row.value for row in self._connection.execute(select(_BASIS))}
-            basis = _basis(experiment)
-            told = next(filter(None, (_difference(known[key], basis[key], key) for key in basis if key in known)), "")
-            if new := [{"key": key, "value": value} for key, value in basis.items() if key not in known]:
-                self._connection.execute(insert(_BASIS), new)
-            self._connection.rollback() if told else self._connection.commit()
-        if told:
-            self.close()
-            raise CampaignError(
-                f"{path} holds trials of another experiment: {told}. Begin anew with --fresh, which puts them aside, or"
-                " make it what it was"
-            )
+            self._settle(_basis(experiment))
+            self._connection.commit()
+            self._stack = stack.pop_all()
+
+    def _settle(self, basis: Mapping[str, Any]) -> None:
+        """Adds to what the file knows of its trials' basis what is new, and refuses what is different."""
+        _TABLES.create_all(self._connection)
+        known = {row.key: row.value for row in self._connection.execute(select(_BASIS))}
+        for key in sorted(basis.keys() & known.keys()):
+            if told := _difference(known[key], basis[key], key):
+                raise CampaignError(
+                    f"{self.path} holds trials of another experiment or program: {told}. Begin anew with --fresh, which"
+                    " puts them aside, or make it what it was"
+                )
+        if new := [{"key": key, "value": value} for key, value in basis.items() if key not in known]:
+            self._connection.execute(insert(_BASIS), new)
 
     def add(self, trial: Trial, took_s: float) -> None:
         """Keeps a trial; when this returns, it is on the disk.
@@ -107,8 +111,7 @@ class Store:
 
     def close(self) -> None:
         """Gives the file free."""
-        self._connection.close()
-        self._engine.dispose()
+        self._stack.close()
 
     def __enter__(self) -> Self:
         return self
