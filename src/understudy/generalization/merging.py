@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from understudy.errors import LearningError
 from understudy.generalization.alignment import align
 from understudy.generalization.difference import Difference, difference_of
+from understudy.generalization.inputs import behaviors_of, check_demonstration
 from understudy.generalization.links import merged_links
 from understudy.generalization.renaming import free_id, renamed, with_ids
 from understudy.generalization.symbols import symbol_of
@@ -39,12 +39,12 @@ def generalize(
     Raises:
         LearningError: one of them holds more than steps and links, or the demonstration has alternatives itself.
     """
-    known = _behaviors(task, names[0])
-    _check_demonstration(demonstration, names[1])
+    known = behaviors_of(task, names[0])
+    check_demonstration(demonstration, names[1])
     before = _ways(task, names[0])
     shown, demonstration = renamed(demonstration, before.demonstrations, names[1])
-    demonstration = with_ids(demonstration, _matched_ids(before, known, _behaviors(demonstration, names[1])))
-    added = _behaviors(demonstration, names[1])
+    demonstration = with_ids(demonstration, _matched_ids(before, known, behaviors_of(demonstration, names[1])))
+    added = behaviors_of(demonstration, names[1])
     steps = tuple(added)
     order = _order(before.ids, steps)
     ways = Topology(order, _edges(before, order, steps, shown))
@@ -56,33 +56,6 @@ def generalize(
         ways.edges if alternatives else (),
     )
     return Generalized(network=result, difference=difference_of(task, demonstration, result, before, shown))
-
-
-def _behaviors(network: Network, name: str) -> Mapping[str, Component]:
-    """The components of a network that can be generalised, by their ids, in topological order."""
-    components: dict[str, Component] = {}
-    for part in (network.by_id[id_] for id_ in network.topological_order):
-        if not isinstance(part, Component):
-            raise LearningError(
-                f"{name}: {part.id!r} is a network of its own; only steps that are behaviors are aligned"
-            )
-        if part.trigger is not None:
-            raise LearningError(f"{name}: {part.id!r} is a duty beside the sequence, and has no place in an alignment")
-        components[part.id] = part
-    return components
-
-
-def _check_demonstration(network: Network, name: str) -> None:
-    parts = _behaviors(network, name).values()
-    if network.paths:
-        raise LearningError(
-            f"{name} has alternatives, so it is not one demonstration; add those that it was made of one by one"
-        )
-    extra = {key for part in parts for key in ("until", "timeout") if getattr(part, key) is not None}
-    if network.inhibitions:
-        extra.add("inhibitions")
-    if extra:
-        raise LearningError(f"{name} has {' and '.join(sorted(extra))}, which no demonstration shows; take it out")
 
 
 def _matched_ids(ways: Topology, known: Mapping[str, Component], added: Mapping[str, Component]) -> dict[str, str]:
