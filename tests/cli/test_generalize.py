@@ -82,3 +82,35 @@ def test_a_generalised_task_is_no_demonstration(folder: Path) -> None:
     record = json.loads(understudy("generalize", "understudy-out/one.yaml", "two.yaml", "--json", folder=folder).stdout)
     done = understudy("generalize", "understudy-out/one.yaml", record["task"], folder=folder, expect=2)
     assert "has alternatives, so it is not one demonstration" in done.stderr
+
+
+@pytest.fixture(scope="module")
+def kitchen(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Five times the same breakfast, in an order that is nearly free; once with a slip. No robot has such skills."""
+    place = tmp_path_factory.mktemp("kitchen")
+    days = ("boil grind pour", "grind boil pour", "boil grind pour", "grind boil pour", "boil pour")
+    for number, day in enumerate(days, start=1):
+        document = intervals(f"day {number}", *((label, {}) for label in day.split()))
+        (place / f"day-{number}.json").write_text(json.dumps(document), encoding="utf-8")
+    return place
+
+
+def test_several_plain_documents_in_a_free_order(kitchen: Path) -> None:
+    days = [f"day-{number}.json" for number in range(1, 6)]
+    told = understudy("learn", *days, "--order", "free", "--name", "coffee", folder=kitchen).stdout
+    assert "4 of 5 demonstrations are ways to do this task, and so not these:\n  day 5: it left out step 2 (g" in told
+    task, network = load_task(kitchen / "understudy-out" / "coffee.yaml")
+    assert task.note == "learned from day-1.json, day-2.json, day-3.json, day-4.json, day-5.json"
+    assert {(link.source, link.target) for link in network.links} == {("boil-1", "pour-1"), ("grind-1", "pour-1")}
+    one = json.loads(understudy("learn", days[0], "--order", "free", "--json", folder=kitchen).stdout)
+    done = understudy("generalize", one["task"], *days[1:], "--order", "free", "--json", folder=kitchen)
+    record = json.loads(done.stdout)
+    assert record["deviations"] == [
+        {"demonstration": "day 5", "left_out": ["grind-1"], "extra": [], "inverted": []},
+    ]
+    assert sorted(record["links"]) == [["boil-1", "pour-1", "ordering"], ["grind-1", "pour-1", "ordering"]]
+
+
+def test_several_plain_documents_as_alternatives(kitchen: Path) -> None:
+    record = json.loads(understudy("learn", "day-1.json", "day-2.json", "--json", folder=kitchen).stdout)
+    assert [one["demonstrations"] for one in record["added"]] == [["day 2"]]

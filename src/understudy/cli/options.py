@@ -28,8 +28,11 @@ WorkspaceFolder = Annotated[
 Seed = Annotated[int | None, typer.Option("--seed", min=0, help="Of all chance; the world's own if not given.")]
 Name = Annotated[str | None, typer.Option("--name", help="Instead of the name it would get by itself.")]
 Order = Annotated[
-    Literal["onset", "closest"],
-    typer.Option(help="Order the steps by when each was first observed, or by when the robot was closest."),
+    Literal["onset", "closest", "free"],
+    typer.Option(
+        help="Order the steps by when each was first observed, or by when the robot was closest; or, of several"
+        " demonstrations, only as far as they show that it is needed."
+    ),
 ]
 MaxDistance = Annotated[float, typer.Option(min=0.0, help="Metres; what was last seen farther away was not visited.")]
 MinDuration = Annotated[float, typer.Option(min=0.0, help="Seconds; shorter observations are taken for noise.")]

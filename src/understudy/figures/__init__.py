@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from understudy.figures.words_goals import goal_in_words
     from understudy.figures.words_language import compared_in_words, describe_language, membership_in_words
     from understudy.figures.words_lesson import describe_lesson
+    from understudy.figures.words_order import describe_deviations
     from understudy.figures.words_regression import describe_misfit, describe_regression, sittings_in_words
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "WhyWords",
     "compared_in_words",
     "condition_in_words",
+    "describe_deviations",
     "describe_difference",
     "describe_language",
     "describe_lesson",
@@ -71,6 +73,7 @@ _HOMES = {
     "words": ("describe_task",),
     "words_conditions": ("condition_in_words",),
     "words_difference": ("describe_difference",),
+    "words_order": ("describe_deviations",),
     "words_goals": ("goal_in_words",),
     "words_language": ("compared_in_words", "describe_language", "membership_in_words"),
     "words_lesson": ("describe_lesson",),

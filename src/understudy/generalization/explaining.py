@@ -7,12 +7,12 @@ done otherwise. So a partial order is judged by how well it foretells the demons
 while, by ``SLIP``, any step that is left. An order that leaves fewer choices foretells more, as long as it is kept
 (the size principle): that u was waited for though v could have been done, again and again, is evidence for u before v.
 
-*Cost.* Each order that no other implies costs ``COST`` for every step from the one end to the other, on the average. A
-step is done for the sake of another one soon before it; two that merely happen to come in one order lie far apart.
+*Cost.* Each order that no other implies costs ``COST`` for every step from the one end to the other, on the average.
+A step is done for the sake of another one soon before it; two that merely happen to come in one order lie far apart.
 
 The search begins with all orders that no demonstration contradicts, and takes out or adds one pair at a time, always
-the one that helps most, until none does. With n steps and d demonstrations a look at one pair costs d × n, and there are
-up to n² pairs; it is a matter of milliseconds for twenty steps.
+the one that helps most, until none does. With n steps and d demonstrations a look at one pair costs d × n, and there
+are up to n² pairs; it is a matter of milliseconds for twenty steps.
 """
 
 from collections.abc import Iterator, Sequence
