@@ -9,16 +9,19 @@ Where the demonstrations differ in their order alone, :func:`free_order` keeps o
 from understudy.generalization.alignment import Match, align
 from understudy.generalization.difference import Branch, Difference, Relaxed
 from understudy.generalization.free_order import Deviation, FreeOrder, free_order
+from understudy.generalization.merger import Added, Merger
 from understudy.generalization.merging import Generalized, generalize
 from understudy.generalization.symbols import Symbol, symbol_of
 
 __all__ = [
+    "Added",
     "Branch",
     "Deviation",
     "Difference",
     "FreeOrder",
     "Generalized",
     "Match",
+    "Merger",
     "Relaxed",
     "Symbol",
     "align",

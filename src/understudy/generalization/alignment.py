@@ -18,13 +18,11 @@ from collections.abc import Hashable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from understudy.network import END, START, Topology
+from understudy.generalization.ways import Ways
+from understudy.network import Topology
 
-__all__ = ["Match", "align"]
-
-Row = NDArray[np.int64]
+__all__ = ["Match", "align", "aligned"]
 
 
 class Match(NamedTuple):
@@ -45,53 +43,58 @@ def align(topology: Topology, symbols: Mapping[str, Hashable], word: Sequence[Ha
     Returns:
         The matches from the beginning to the end.
     """
-    table = _Table(topology, symbols, word)
-    return table.matches()
+    return aligned(Ways(topology, symbols), word)
+
+
+def aligned(ways: Ways, word: Sequence[Hashable]) -> tuple[Match, ...]:
+    """:func:`align` with ways that grow."""
+    return _Table(ways, word).matches()
 
 
 class _Table:
-    """The rows of all nodes, in topological order."""
+    """The rows of all nodes, level by level."""
 
-    def __init__(self, topology: Topology, symbols: Mapping[str, Hashable], word: Sequence[Hashable]) -> None:
-        self.topology, self.symbols, self.word = topology, symbols, word
-        shown = {id_: len(topology.shown_by[id_]) for id_ in topology.ids}
+    def __init__(self, ways: Ways, word: Sequence[Hashable]) -> None:
+        self.ways, self.word = ways, word
         # One match more outweighs all support that a common subsequence can have.
-        one = 1 + max(shown.values(), default=0) * min(len(word), len(topology.ids))
-        self.worth = {id_: one + times for id_, times in shown.items()}
-        places: dict[Hashable, list[int]] = {}
-        for place, symbol in enumerate(word):
-            places.setdefault(symbol, []).append(place)
-        self.rows: dict[str, Row] = {START: np.zeros(len(word) + 1, np.int64)}
-        for id_ in topology.ids:
-            before = self.before(id_)
-            row = before.copy()
-            if here := places.get(symbols[id_]):
-                at = np.array(here)
-                row[at + 1] = np.maximum(before[at + 1], before[at] + self.worth[id_])
-            self.rows[id_] = np.maximum.accumulate(row)
-
-    def before(self, id_: str) -> Row:
-        """The best that any path to a node can do without it."""
-        first, *others = (self.rows[one] for one in self.topology.predecessors[id_])
-        return np.maximum.reduce([first, *others]) if others else first
+        one = 1 + max(ways.support) * min(len(word), len(ways.order))
+        self.worth = one + np.array(ways.support, np.int64)
+        kinds = {symbol: kind for kind, symbol in enumerate(dict.fromkeys(word))}
+        other = len(kinds)
+        kind_of = np.array([kinds.get(symbol, other) for symbol in ways.symbols])
+        in_word = np.array([kinds[symbol] for symbol in word], np.int64)
+        same = np.arange(other + 1)[:, None] == in_word
+        self.rows = np.zeros((len(ways.ids), len(word) + 1), np.int64)
+        for level in ways.levels():
+            before = np.maximum.reduceat(self.rows[level.before], level.begins, axis=0)
+            # Not matched is worth nothing, and never more than the row itself, which ascends.
+            matched = (before[:, :-1] + self.worth[level.steps, None]) * same[kind_of[level.steps]]
+            np.maximum(before[:, 1:], matched, out=before[:, 1:])
+            self.rows[level.steps] = np.maximum.accumulate(before, axis=1)
 
     def matches(self) -> tuple[Match, ...]:
         """One best path, read from the end."""
+        ways, rows = self.ways, self.rows
         found: list[Match] = []
-        id_, length = self._best(END, len(self.word)), len(self.word)
-        while id_ != START and length:
-            before = self.before(id_)
-            value = self.rows[id_][length]
-            if self.word[length - 1] == self.symbols[id_] and before[length - 1] + self.worth[id_] == value:
-                found.append(Match(id_, length - 1))
+        length = len(self.word)
+        step = self._best(ways.last, length)
+        while step and length:
+            value = rows[step, length]
+            before = ways.predecessors[step]
+            if (
+                self.word[length - 1] == ways.symbols[step]
+                and rows[before, length - 1].max() + self.worth[step] == value
+            ):
+                found.append(Match(ways.ids[step], length - 1))
                 length -= 1
-                id_ = self._best(id_, length)
-            elif before[length] == value:
-                id_ = self._best(id_, length)
+                step = self._best(before, length)
+            elif rows[before, length].max() == value:
+                step = self._best(before, length)
             else:
                 length -= 1
         return tuple(reversed(found))
 
-    def _best(self, id_: str, length: int) -> str:
-        """The predecessor that has come farthest; the first of equally good ones."""
-        return max(self.topology.predecessors[id_], key=lambda one: int(self.rows[one][length]))
+    def _best(self, steps: Sequence[int], length: int) -> int:
+        """The step that has come farthest; of equally good ones the first in the order."""
+        ranks, ids = self.ways.ranks, self.ways.ids
+        return max(steps, key=lambda step: (int(self.rows[step, length]), -ranks[ids[step]]))

@@ -9,12 +9,12 @@
 Where there are alternatives, the ways through the task imply every order, and only what is more is stored.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
 
-from understudy.network import Link, LinkType, Network, Topology, expand_links, reduce_links
+from understudy.network import Link, LinkType, Network, expand_links, reduce_links
 
-__all__ = ["least_restrictive", "merged_links"]
+__all__ = ["LinksOfWays", "least_restrictive", "links_of_one_way"]
 
 Pair = tuple[str, str]
 
@@ -26,35 +26,13 @@ def least_restrictive(one: LinkType | None, other: LinkType | None) -> LinkType 
     return min(one, other, key=lambda type_: type_.strength)
 
 
-def merged_links(known: Network, added: Network, before: Topology, *, alternatives: bool) -> tuple[Link, ...]:
-    """The links of a generalised task.
+def links_of_one_way(known: Network, added: Network) -> tuple[Link, ...]:
+    """The links of a task of which all demonstrations show the same steps: every pair is in all of them.
 
     Args:
         known: the task.
-        added: the new demonstration's network, in which the steps that were matched have the task's ids.
-        before: the ways through the task, without the new demonstration.
-        alternatives: there is more than one way now.
+        added: the new demonstration's network, with the task's ids.
     """
-    if not alternatives:
-        return _of_one_way(known, added)
-    stored = {_pair(link): link for link in known.links}
-    new = {_pair(link): link for link in added.links}
-    in_known, in_added = _type_of(known, before), _type_of(added, None)
-    links = []
-    for pair in dict.fromkeys((*stored, *new)):
-        if not all(id_ in added.by_id for id_ in pair):
-            type_ = in_known(pair)
-        elif pair in stored or _shown_together(before, pair):
-            type_ = least_restrictive(in_known(pair), in_added(pair))
-        else:
-            type_ = in_added(pair)
-        if type_ is not None and type_ is not LinkType.ORDERING:
-            links.append(_link(pair, type_, stored.get(pair), new.get(pair)))
-    return tuple(links)
-
-
-def _of_one_way(known: Network, added: Network) -> tuple[Link, ...]:
-    """All show the same steps: every pair is in all of them."""
     old = {_pair(link): link for link in expand_links(known).links}
     new = {_pair(link): link for link in expand_links(added).links}
     links = []
@@ -65,16 +43,56 @@ def _of_one_way(known: Network, added: Network) -> tuple[Link, ...]:
     return reduce_links(replace(known, links=tuple(links))).links
 
 
-def _shown_together(topology: Topology, pair: Pair) -> bool:
-    """Whether some demonstration shows both."""
-    first, second = (topology.shown_by.get(id_, ()) for id_ in pair)
-    return any(name in second for name in first)
+class LinksOfWays:
+    """The links of a task with alternatives, which are more than an order.
+
+    A link that is not stored is no more than an order, and no demonstration makes it more again. So a further one
+    changes only the links between steps that it shows itself.
+
+    Args:
+        links: of the task so far; if it had no alternatives yet, those that are mere orders go without saying now.
+    """
+
+    def __init__(self, links: Iterable[Link]) -> None:
+        self._stored = {_pair(link): link for link in links if link.type is not LinkType.ORDERING}
+        self._targets: dict[str, set[str]] = {}
+        for source, target in self._stored:
+            self._targets.setdefault(source, set()).add(target)
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """All of them, in the order in which they became known."""
+        return tuple(self._stored.values())
+
+    def add(self, added: Network, before: Mapping[str, Collection[str]]) -> None:
+        """The links of one more demonstration.
+
+        Args:
+            added: its network, in which the steps that were matched have the task's ids.
+            before: of these, the demonstrations that showed them before.
+        """
+        new = {_pair(link): link for link in added.links}
+        in_added = _type_of(added)
+        for source in before:
+            for target in self._targets.get(source, set()) & before.keys():
+                pair = source, target
+                type_ = least_restrictive(self._stored[pair].type, in_added(pair))
+                if type_ is None or type_ is LinkType.ORDERING:
+                    del self._stored[pair]
+                    self._targets[source].remove(target)
+                else:
+                    self._stored[pair] = _link(pair, type_, self._stored[pair], new.get(pair))
+        for pair, link in new.items():
+            shown_together = all(id_ in before for id_ in pair) and not set(before[pair[0]]).isdisjoint(before[pair[1]])
+            if link.type is not LinkType.ORDERING and not shown_together:
+                self._stored[pair] = link
+                self._targets.setdefault(pair[0], set()).add(pair[1])
 
 
-def _type_of(network: Network, topology: Topology | None) -> Callable[[Pair], LinkType | None]:
-    """What a network asks of two of its steps: by a link, or by what lies between them; by its ways, if it has some."""
+def _type_of(network: Network) -> Callable[[Pair], LinkType | None]:
+    """What a network asks of two of its steps: by a link, or by what lies between them."""
     direct = {_pair(link): link.type for link in network.links}
-    leads = topology.leads if topology is not None and network.paths else _leads(network)
+    leads = _leads(network)
     return lambda pair: direct.get(pair) or (LinkType.ORDERING if leads(*pair) else None)
 
 

@@ -7,10 +7,13 @@ would be to drive at it.
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from understudy.network import Component, Occurrence, ParameterValue
 
-__all__ = ["merged_parameters", "typical"]
+__all__ = ["merged_parameters", "parameters_after", "typical"]
 
 _DECIMALS = 3
 """As the learner rounds; occurrences keep the exact values."""
@@ -24,24 +27,19 @@ def typical(shown: Sequence[Values]) -> Values:
     Each number is measured by the range over which it was shown, so that metres and degrees weigh alike. One that is
     missing is as far away as can be.
     """
-    names = {name for values in shown for name in values}
-    span = {}
-    for name in names:
-        numbers = [values[name] for values in shown if name in values]
-        span[name] = max(numbers) - min(numbers)
-
-    def apart(a: Values, b: Values, name: str) -> float:
-        if name not in a or name not in b:
-            return float(name in a or name in b)
-        return abs(a[name] - b[name]) / span[name] if span[name] else 0.0
-
-    best: Values = {}
-    least = math.inf
-    for values in shown:
-        away = sum(apart(values, other, name) for other in shown for name in names)
-        if away <= least + 1e-9:
-            best, least = values, min(away, least)
-    return best
+    away = np.zeros(len(shown))
+    for name in {name for values in shown for name in values}:
+        numbers = np.array([values.get(name, math.nan) for values in shown])
+        missing = np.isnan(numbers)
+        span = np.ptp(numbers[~missing])
+        # Of two that both miss it, neither is away; of one and another that has it, as far as can be.
+        apart = abs(numbers[:, None] - numbers) / span if span else np.zeros((len(shown), len(shown)))
+        away += np.where(missing[:, None] | missing, missing[:, None] ^ missing, apart).sum(axis=1)
+    least, best = math.inf, 0
+    for index, distance in enumerate(away.tolist()):
+        if distance <= least + 1e-9:
+            least, best = min(distance, least), index
+    return shown[best] if shown else {}
 
 
 def merged_parameters(component: Component, added: Sequence[Occurrence]) -> Mapping[str, ParameterValue]:
@@ -59,6 +57,23 @@ def merged_parameters(component: Component, added: Sequence[Occurrence]) -> Mapp
         return component.parameters
     now = typical([one.values for one in (*component.occurrences, *added)])
     return {**component.parameters, **_rounded(now)}
+
+
+def parameters_after(component: Component, added: Sequence[Occurrence]) -> Mapping[str, ParameterValue]:
+    """:func:`merged_parameters` of one occurrence after the other.
+
+    At once it is the same, unless some of them lack a number that others have: then what was learned may come to differ
+    from the parameters, which are taken for written ones from then on.
+    """
+    if len({frozenset(one.values) for one in (*component.occurrences, *added)}) <= 1:
+        return merged_parameters(component, added)
+    for one in added:
+        component = replace(
+            component,
+            parameters=merged_parameters(component, (one,)),
+            occurrences=(*component.occurrences, one),
+        )
+    return component.parameters
 
 
 def _rounded(values: Values) -> dict[str, float]:
