@@ -62,39 +62,49 @@ class _Table:
         kinds = {symbol: kind for kind, symbol in enumerate(dict.fromkeys(word))}
         other = len(kinds)
         kind_of = np.array([kinds.get(symbol, other) for symbol in ways.symbols])
-        in_word = np.array([kinds[symbol] for symbol in word], np.int64)
-        same = np.arange(other + 1)[:, None] == in_word
+        same = np.arange(other + 1)[:, None] == np.array([kinds[symbol] for symbol in word], np.int64)
+        levels = ways.levels()
+        # The rows of a level stand together.
+        self.row = np.zeros(len(ways.ids), np.int64)
+        steps = np.concatenate([level.steps for level in levels])
+        self.row[steps] = np.arange(1, len(ways.ids))
+        gain = self.worth[steps, None] * same[kind_of[steps]]
+        before = self.row[np.concatenate([level.before for level in levels])]
         self.rows = np.zeros((len(ways.ids), len(word) + 1), np.int64)
-        for level in ways.levels():
-            before = np.maximum.reduceat(self.rows[level.before], level.begins, axis=0)
-            # Not matched is worth nothing, and never more than the row itself, which ascends.
-            matched = (before[:, :-1] + self.worth[level.steps, None]) * same[kind_of[level.steps]]
-            np.maximum(before[:, 1:], matched, out=before[:, 1:])
-            self.rows[level.steps] = np.maximum.accumulate(before, axis=1)
+        edge = place = 0
+        for level in levels:
+            edges, places = edge + len(level.before), place + len(level.steps)
+            best = self.rows[before[edge:edges]]
+            if edges - edge > places - place:
+                best = np.maximum.reduceat(best, level.begins, axis=0)
+            # What does not match gains nothing, and is no more than the row itself, which ascends.
+            np.maximum(best[:, 1:], best[:, :-1] + gain[place:places], out=best[:, 1:])
+            np.maximum.accumulate(best, axis=1, out=self.rows[place + 1 : places + 1])
+            edge, place = edges, places
 
     def matches(self) -> tuple[Match, ...]:
         """One best path, read from the end."""
-        ways, rows = self.ways, self.rows
+        ways = self.ways
         found: list[Match] = []
         length = len(self.word)
         step = self._best(ways.last, length)
         while step and length:
-            value = rows[step, length]
-            before = ways.predecessors[step]
-            if (
-                self.word[length - 1] == ways.symbols[step]
-                and rows[before, length - 1].max() + self.worth[step] == value
-            ):
-                found.append(Match(ways.ids[step], length - 1))
-                length -= 1
-                step = self._best(before, length)
-            elif rows[before, length].max() == value:
-                step = self._best(before, length)
+            value, before = self.rows[self.row[step], length], ways.predecessors[step]
+            if self.word[length - 1] == ways.symbols[step]:
+                last = self._best(before, length - 1)
+                if self.rows[self.row[last], length - 1] + self.worth[step] == value:
+                    found.append(Match(ways.ids[step], length - 1))
+                    step, length = last, length - 1
+                    continue
+            without = self._best(before, length)
+            if self.rows[self.row[without], length] == value:
+                step = without
             else:
                 length -= 1
         return tuple(reversed(found))
 
     def _best(self, steps: Sequence[int], length: int) -> int:
-        """The step that has come farthest; of equally good ones the first in the order."""
-        ranks, ids = self.ways.ranks, self.ways.ids
-        return max(steps, key=lambda step: (int(self.rows[step, length]), -ranks[ids[step]]))
+        """The step that has come farthest; of equally good ones the first."""
+        if len(steps) == 1:
+            return steps[0]
+        return steps[int(self.rows[self.row[steps], length].argmax())]

@@ -9,7 +9,7 @@
 Where there are alternatives, the ways through the task imply every order, and only what is more is stored.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from understudy.network import Link, LinkType, Network, expand_links, reduce_links
@@ -64,36 +64,36 @@ class LinksOfWays:
         """All of them, in the order in which they became known."""
         return tuple(self._stored.values())
 
-    def add(self, added: Network, before: Mapping[str, Collection[str]]) -> None:
+    def add(
+        self, added: Network, ids: Mapping[str, str], matched: frozenset[str], together: Callable[[str, str], bool]
+    ) -> None:
         """The links of one more demonstration.
 
         Args:
-            added: its network, in which the steps that were matched have the task's ids.
-            before: of these, the demonstrations that showed them before.
+            added: its network.
+            ids: that its steps have in the task.
+            matched: those of the task's ids that were known before.
+            together: whether some demonstration before showed two of these both.
         """
-        new = {_pair(link): link for link in added.links}
-        in_added = _type_of(added)
-        for source in before:
-            for target in self._targets.get(source, set()) & before.keys():
+        new = {(ids[link.source], ids[link.target]): link for link in added.links}
+        own = {id_: one for one, id_ in ids.items()}
+        leads = _leads(added)
+        for source in matched:
+            for target in self._targets.get(source, set()) & matched:
                 pair = source, target
-                type_ = least_restrictive(self._stored[pair].type, in_added(pair))
+                link = new.get(pair)
+                in_added = LinkType.ORDERING if leads(own[source], own[target]) else None
+                type_ = least_restrictive(self._stored[pair].type, link.type if link else in_added)
                 if type_ is None or type_ is LinkType.ORDERING:
                     del self._stored[pair]
                     self._targets[source].remove(target)
                 else:
-                    self._stored[pair] = _link(pair, type_, self._stored[pair], new.get(pair))
+                    self._stored[pair] = _link(pair, type_, self._stored[pair], link)
         for pair, link in new.items():
-            shown_together = all(id_ in before for id_ in pair) and not set(before[pair[0]]).isdisjoint(before[pair[1]])
-            if link.type is not LinkType.ORDERING and not shown_together:
-                self._stored[pair] = link
+            shown = matched.issuperset(pair) and link.type is not LinkType.ORDERING and together(*pair)
+            if link.type is not LinkType.ORDERING and not shown:
+                self._stored[pair] = replace(link, source=pair[0], target=pair[1])
                 self._targets.setdefault(pair[0], set()).add(pair[1])
-
-
-def _type_of(network: Network) -> Callable[[Pair], LinkType | None]:
-    """What a network asks of two of its steps: by a link, or by what lies between them."""
-    direct = {_pair(link): link.type for link in network.links}
-    leads = _leads(network)
-    return lambda pair: direct.get(pair) or (LinkType.ORDERING if leads(*pair) else None)
 
 
 def _leads(network: Network) -> Callable[[str, str], bool]:

@@ -25,11 +25,18 @@ class Added:
 
     Attributes:
         demonstrations: its names in the task.
-        network: its own, in which the steps that were matched have the task's ids.
+        demonstration: its network.
+        ids: that the steps of this have in the task.
     """
 
     demonstrations: tuple[str, ...]
-    network: Network
+    demonstration: Network
+    ids: Mapping[str, str]
+
+    @property
+    def network(self) -> Network:
+        """The demonstration's network with the task's ids."""
+        return with_ids(self.demonstration, self.ids)
 
 
 class Merger:
@@ -68,26 +75,24 @@ class Merger:
         parts = behaviors_of(demonstration, name)
         symbols = {id_: symbol_of(part) for id_, part in parts.items()}
         ids = self._matched(symbols)
-        demonstration = with_ids(demonstration, ids)
         steps = [ids[id_] for id_ in parts]
-        before = {id_: self._ways.shown_by[self._ways.numbers[id_]].copy() for id_ in steps if id_ in self._known}
+        matched = frozenset(id_ for id_ in steps if id_ in self._known)
         plain = self._links_of_ways is None
         self._ways.add(steps, {ids[id_]: symbol for id_, symbol in symbols.items()}, shown)
         self._names.update(shown)
         if plain and self._ways.is_chain:
             known = Network(tuple(self._known.values()), self._links)
-            self._links = links_of_one_way(known, demonstration)
+            self._links = links_of_one_way(known, with_ids(demonstration, ids))
         else:
             if self._links_of_ways is None:
                 self._links_of_ways = LinksOfWays(self._links)
-            self._links_of_ways.add(demonstration, before)
-        for part in demonstration.components:
-            assert isinstance(part, Component)
-            if part.id in self._known:
-                self._seen.setdefault(part.id, []).extend(part.occurrences)
+            self._links_of_ways.add(demonstration, ids, matched, lambda a, b: self._ways.together(a, b, without=shown))
+        for own, part in parts.items():
+            if ids[own] in self._known:
+                self._seen.setdefault(ids[own], []).extend(part.occurrences)
             else:
-                self._known[part.id] = part
-        return Added(demonstrations=shown, network=demonstration)
+                self._known[ids[own]] = replace(part, id=ids[own])
+        return Added(demonstrations=shown, demonstration=demonstration, ids=ids)
 
     def network(self) -> Network:
         """The task as it is now."""

@@ -17,6 +17,8 @@ def renamed(network: Network, taken: Collection[str], name: str) -> tuple[tuple[
         while names[given] in taken or list(names.values()).count(names[given]) > 1:
             number += 1
             names[given] = f"{given} ({number})"
+    if all(name == given for given, name in names.items()):
+        return tuple(names), network
     components = tuple(
         replace(
             part,

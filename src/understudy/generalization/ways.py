@@ -5,6 +5,7 @@ known; START is 0. What is known of all steps stands in arrays, level by level: 
 another, so that an alignment takes them all at once.
 """
 
+from bisect import insort
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -41,7 +42,7 @@ class Ways:
         order: the ids, each after what comes before it; new ones stand just before the next step that was known.
         symbols: of the steps by number.
         support: how many demonstrations show each, by number.
-        predecessors: of each, by number; that of ``END`` are ``last``.
+        predecessors: of each, by number, in the order; those of END are ``last``.
     """
 
     def __init__(self, topology: Topology, symbols: Mapping[str, Hashable]) -> None:
@@ -55,6 +56,8 @@ class Ways:
         self.last: list[int] = []
         self.depth = [0]
         self._successors: list[list[int]] = [[]]
+        self._members: list[list[int]] = []
+        self._levels: list[Level | None] = []  # None where it is to be made anew
         self._edges: dict[tuple[str, str], list[str]] = {}
         self._ranks: dict[str, int] | None = None
         for id_ in topology.ids:
@@ -89,6 +92,11 @@ class Ways:
             self._ranks = {id_: rank for rank, id_ in enumerate((START, *self.order))}
         return self._ranks
 
+    def together(self, one: str, other: str, *, without: Sequence[str] = ()) -> bool:
+        """Whether some demonstration shows both, those left aside."""
+        first, second = (self.shown_by[self.numbers[id_]] for id_ in (one, other))
+        return len(first & second) > len(first.intersection(without) & second)
+
     def add(self, steps: Sequence[str], symbols: Mapping[str, Hashable], shown: Sequence[str]) -> None:
         """One more way.
 
@@ -116,22 +124,16 @@ class Ways:
 
     def levels(self) -> list[Level]:
         """All steps but START, the nearest first."""
-        found: list[list[int]] = [[] for _ in range(max(self.depth))]
-        for number, depth in enumerate(self.depth):
-            if depth:
-                found[depth - 1].append(number)
-        levels = []
-        for steps in found:
-            before = [self.predecessors[step] for step in steps]
-            counts = np.fromiter(map(len, before), np.int64, len(before))
-            levels.append(
-                Level(
+        for depth, steps in enumerate(self._members):
+            if self._levels[depth] is None:
+                before = [self.predecessors[step] for step in steps]
+                counts = np.fromiter(map(len, before), np.int64, len(before))
+                self._levels[depth] = Level(
                     steps=np.array(steps),
                     before=np.array([one for some in before for one in some]),
                     begins=counts.cumsum() - counts,
                 )
-            )
-        return levels
+        return [level for level in self._levels if level is not None]
 
     def _number(self, id_: str, symbol: Hashable) -> None:
         self.numbers[id_] = len(self.ids)
@@ -147,17 +149,34 @@ class Ways:
         self._edges[source, target] = []
         first = self.numbers[source]
         if target == END:
-            self.last.append(first)
+            insort(self.last, first, key=self._rank)
             return
         last = self.numbers[target]
-        self.predecessors[last].append(first)
+        insort(self.predecessors[last], first, key=self._rank)
         self._successors[first].append(last)
+        if self.depth[last]:
+            self._levels[self.depth[last] - 1] = None
         waiting = [(first, last)]
         while waiting:
             before, number = waiting.pop()
             if self.depth[number] <= self.depth[before]:
-                self.depth[number] = self.depth[before] + 1
+                self._move(number, self.depth[before] + 1)
                 waiting += [(number, after) for after in self._successors[number]]
+
+    def _rank(self, number: int) -> int:
+        return self.ranks[self.ids[number]]
+
+    def _move(self, number: int, depth: int) -> None:
+        """To a level that is farther from START."""
+        if old := self.depth[number]:
+            self._members[old - 1].remove(number)
+            self._levels[old - 1] = None
+        while len(self._members) < depth:
+            self._members.append([])
+            self._levels.append(None)
+        self._members[depth - 1].append(number)
+        self._levels[depth - 1] = None
+        self.depth[number] = depth
 
     def _show(self, source: str, target: str, shown: Sequence[str]) -> None:
         self._edges[source, target] += shown
