@@ -58,7 +58,9 @@ class _Table:
         self.ways, self.word = ways, word
         # One match more outweighs all support that a common subsequence can have.
         one = 1 + max(ways.support) * min(len(word), len(ways.order))
-        self.worth = one + np.array(ways.support, np.int64)
+        most = one * (1 + min(len(word), len(ways.order)))
+        number = np.int32 if most <= np.iinfo(np.int32).max else np.int64
+        self.worth = one + np.array(ways.support, number)
         kinds = {symbol: kind for kind, symbol in enumerate(dict.fromkeys(word))}
         other = len(kinds)
         kind_of = np.array([kinds.get(symbol, other) for symbol in ways.symbols])
@@ -70,7 +72,7 @@ class _Table:
         self.row[steps] = np.arange(1, len(ways.ids))
         gain = self.worth[steps, None] * same[kind_of[steps]]
         before = self.row[np.concatenate([level.before for level in levels])]
-        self.rows = np.zeros((len(ways.ids), len(word) + 1), np.int64)
+        self.rows = np.zeros((len(ways.ids), len(word) + 1), number)
         edge = place = 0
         for level in levels:
             edges, places = edge + len(level.before), place + len(level.steps)
