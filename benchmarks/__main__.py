@@ -10,12 +10,13 @@ import platform
 os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")  # as the command line has it
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # NumPy's: "on one core" is to mean it
 
-from benchmarks import campaigns, control_loop, learning_links, recordings, ros2_control, startup, ticks
+from benchmarks import campaigns, control_loop, learning_links, merging, recordings, ros2_control, startup, ticks
 
 BENCHMARKS = {
     "control": control_loop.main,
     "ticks": ticks.main,
     "links": learning_links.main,
+    "merging": merging.main,
     "recordings": recordings.main,
     "ros2": ros2_control.main,
     "startup": startup.main,

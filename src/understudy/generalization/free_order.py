@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from understudy.errors import LearningError
 from understudy.generalization.demonstrations import Demonstrated, Step, demonstrated
-from understudy.generalization.explaining import covers, explaining_order
+from understudy.generalization.explaining import COST, covers, explaining_order
 from understudy.generalization.links import least_restrictive
 from understudy.generalization.renaming import free_id
 from understudy.generalization.values import merged_parameters
@@ -58,13 +58,14 @@ class FreeOrder:
     deviations: tuple[Deviation, ...]
 
 
-def free_order(tasks: Sequence[Network], *, names: Sequence[str] = ()) -> FreeOrder:
+def free_order(tasks: Sequence[Network], *, names: Sequence[str] = (), cost: float = COST) -> FreeOrder:
     """The task of several demonstrations, with an order only where one is needed.
 
     Args:
         tasks: each learned from one demonstration, or from several; those of the latter are taken one by one, in the
             order of their intervals.
         names: of all of them, for what has no evidence of its own.
+        cost: of an order, for each step from one end to the other; the more, the fewer orders are learned.
 
     Raises:
         LearningError: a task has more than steps and links, or no step is shown by more than half.
@@ -81,7 +82,7 @@ def free_order(tasks: Sequence[Network], *, names: Sequence[str] = ()) -> FreeOr
     steps = sorted(common, key=lambda step: (_mean_place(step, shown), step))
     number = {step: index for index, step in enumerate(steps)}
     words = [[number[step] for step in one.steps if step in common] for one in shown]
-    order = explaining_order(words, len(steps), _kept(steps, shown))
+    order = explaining_order(words, len(steps), _kept(steps, shown), cost=cost)
     pairs = [(steps[u], steps[v]) for u, v in zip(*np.nonzero(order), strict=True)]
     # Document order settles ties among steps that are free: the mean place, as the demonstrations had it.
     components = tuple(parts[step] for step in steps)
