@@ -1,12 +1,15 @@
 """Steps taken out and pieces put in: what stays, and what comes before what."""
 
+from dataclasses import replace
+from itertools import pairwise
+
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from tests.execution.strategies import networks
 from understudy.errors import NetworkError
-from understudy.network import Achieved, Case, Component, Edge, Happened, Link, LinkType, Nab, Network
+from understudy.network import END, Achieved, Case, Component, Edge, Happened, Link, LinkType, Nab, Network, Trigger
 from understudy.practice import inserted, without
 
 
@@ -138,3 +141,69 @@ def test_what_is_put_in_has_no_way_around_it() -> None:
     assert topology.bypassed == ("x",)
     assert topology.shown_by["n"] == ("1", "2")
     assert {(link.source, link.target) for link in task.links} == {("c", "d"), ("c", "n"), ("c", "m")}
+
+
+def test_a_direct_way_is_closed_where_the_task_knows_what_is_shown() -> None:
+    """§5.2: a transition that feedback marks as wrong. No second step is made of what was there and passed by."""
+    shown = Network((Component(id="seen", behavior="B"),))
+    parts = tuple(replace(part, behavior="B") if part.id == "x" else part for part in with_alternatives().components)
+    links = (*with_alternatives().links, Link(source="b", target="d", type=LinkType.ENABLING))
+    task = inserted(replace(with_alternatives(), components=parts, links=links), "d", shown)
+    assert [part.id for part in task.components] == list("abcxd")
+    assert {(edge.source, edge.target): edge.shown for edge in task.paths} == {
+        ("START", "a"): ("1",), ("START", "b"): ("2",), ("a", "c"): ("1",), ("b", "c"): ("2",),
+        ("c", "x"): ("1", "2"), ("x", "d"): ("1", "2"), ("d", "END"): ("1", "2"),
+    }  # fmt: skip
+    assert not task.topology.bypassed
+    assert {(link.source, link.target): link.type for link in task.links} == dict.fromkeys(
+        [("c", "d"), ("c", "x")], LinkType.PERMANENT
+    )
+
+
+def test_only_what_was_passed_by_is_known() -> None:
+    """An alternative that can be taken is no way around anything: what is shown is done in any case, then."""
+    piece = Network((Component(id="seen", behavior="A"),))
+    task = inserted(with_alternatives(), "c", piece)
+    assert task.topology.candidates["a"] == task.topology.candidates["b"] == ("seen",)
+    assert len(inserted(with_alternatives(), "d", visits("AA")).components) == 7
+
+
+def test_a_piece_after_everything_else() -> None:
+    task = inserted(TASK, END, TRACK)
+    assert [part.id for part in task.components] == ["track-green-1", "drop-1", "track-green-2"]
+    assert task.sinks == ("track-green-2",)
+    assert before(task) == {
+        ("track-green-1", "drop-1"),
+        ("track-green-1", "track-green-2"),
+        ("drop-1", "track-green-2"),
+    }
+    ways = inserted(with_alternatives(), END, TRACK)
+    assert ways.topology.candidates["d"] == ("track-green-1",)
+    assert ways.topology.candidates["track-green-1"] == (END,)
+    on_duty = replace(TASK.components[1], id="bell", trigger=Trigger(every_s=5.0))
+    assert inserted(Network((*TASK.components, on_duty), TASK.links), END, TRACK).sinks == ("track-green-2",)
+
+
+def visits(letters: str) -> Network:
+    """A task that does one after the other: a number is added to every letter."""
+    ids = [f"{letter}-{letters[: index + 1].count(letter)}" for index, letter in enumerate(letters)]
+    steps = tuple(Component(id=id_, behavior=id_[0]) for id_ in ids)
+    links = tuple(Link(source=a, target=b, type=LinkType.ORDERING) for a, b in pairwise(ids))
+    return Network(steps, links)
+
+
+def letters(network: Network) -> str:
+    return "".join(network.by_id[id_].behavior for id_ in network.topological_order)  # type: ignore[union-attr]
+
+
+def test_the_two_mistakes_that_look_alike() -> None:
+    """A C B A was meant, and B is done after A (§6.1): each has its word, and a wrong guess takes more words."""
+    assert letters(without(visits("ABCBA"), "B-1")) == "ACBA"
+    assert letters(inserted(visits("ABA"), "B-1", visits("C"))) == "ACBA"
+
+    guessed = without(visits("ABA"), "B-1")
+    assert letters(guessed) == "AA"
+    assert letters(inserted(guessed, "A-2", visits("CB"))) == "ACBA"
+    guessed = inserted(visits("ABCBA"), "B-1", visits("C"))
+    assert letters(guessed) == "ACBCBA"
+    assert letters(without(without(guessed, "C-1"), "B-2")) == "ACBA"

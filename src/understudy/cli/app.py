@@ -23,6 +23,7 @@ from understudy.cli import (
     library,
     plan,
     practice,
+    reassign,
     run,
     schema,
     show,
@@ -72,6 +73,9 @@ app.command("generalize", help="Add demonstrations to a task: alternatives, and 
 app.command("run", help="Execute a task in a world; writes a recording and a report.")(run.command)
 app.command("practice", help="Execute a task under the teacher's feedback; writes the corrected task.")(
     practice.command
+)
+app.command("reassign", help="A practice run's words were about other steps: makes the corrections again.")(
+    reassign.command
 )
 app.command("show", help="A task in words, as a picture or as DOT; or what a recording shows.")(show.command)
 app.command("explain", help="Why a step of a recorded run was active or not, and what would have made it so.")(

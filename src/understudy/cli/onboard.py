@@ -195,7 +195,7 @@ def practise(
 ) -> NoReturn:
     """A robot practises a task while a person says BAD, or COME and GO; exits with 0 if it was done, 1 if not."""
     from understudy.behaviors import installed_skills  # noqa: PLC0415
-    from understudy.cli.practice import say_correction, write_corrected  # noqa: PLC0415 - it imports this one
+    from understudy.cli.corrections import say_correction, write_corrected  # noqa: PLC0415
     from understudy.ros2 import find_robot  # noqa: PLC0415
     from understudy.sessions import Workspace, check_capable, practise_with  # noqa: PLC0415
 

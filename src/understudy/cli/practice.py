@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from understudy.cli import onboard
+from understudy.cli.corrections import say_correction, write_corrected
 from understudy.cli.keeping import Ran, edits_of, keeping
 from understudy.cli.options import DEFAULT_WORKSPACE, Json, LibraryPlace, Misfits, Seed, WorkspaceFolder
 from understudy.cli.progress import progress
@@ -15,14 +16,10 @@ from understudy.cli.tasks import named_task
 from understudy.cli.worlds import find_world
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from understudy.behaviors import Skill
-    from understudy.network import Network, Task
     from understudy.perception import Percepts
-    from understudy.practice import Correction, Practice
+    from understudy.practice import Practice
 
-__all__ = ["command", "say_correction", "write_corrected"]
+__all__ = ["command"]
 
 
 def command(
@@ -119,34 +116,3 @@ def command(
         for problem in broken_rules(report.network):
             typer.echo(f"It is not run as it is: {problem}. Practise it again, or mend the document", err=True)
     raise typer.Exit(0 if report.done else 1)
-
-
-def write_corrected(corrected: "Network", network: "Network", document: "Task", stem: Path) -> Path | None:
-    """Writes the corrected task, if there is anything to be written."""
-    from understudy.network import Task, save_task  # noqa: PLC0415
-
-    if corrected == network:
-        return None
-    path = stem.with_suffix(".yaml")
-    save_task(path, Task.of(document.name, corrected, note=document.note))
-    return path
-
-
-def say_correction(correction: "Correction", skills: "Mapping[str, Skill]") -> None:
-    """One correction in words, with the step that it was taken for."""
-    from understudy.figures import WhyWords  # noqa: PLC0415
-
-    before, after = WhyWords(correction.before, skills), WhyWords(correction.after, skills)
-    head = f"  {correction.word} at {correction.time_s:.1f} s"
-    if correction.meant:
-        first = correction.meant[0]
-        where = "before " if correction.word == "COME" else ""
-        head += f" → {where}{before.step(first.component)}, {first.told(correction.time_s)}"
-    typer.echo(head)
-    if correction.note:
-        typer.echo(f"      nothing came of it: {correction.note}")
-    elif correction.piece is not None:
-        new = [path for path in after.network.by_path if path not in before.network.by_path]
-        typer.echo(f"      new: {', '.join(after.step(path) for path in new)}")
-    else:
-        typer.echo("      taken out")

@@ -18,7 +18,7 @@ from understudy.network.conditions import (
 from understudy.network.controls import Repeat, Switch, Timeout, Trigger
 from understudy.network.definition import Case, Component, Link, LinkType, Nab, Network, ParameterValue
 from understudy.network.difference import differences
-from understudy.network.document import Task, load_task, parse_task, save_task, task_schema, task_text
+from understudy.network.document import Task, load_task, parse_task, save_task, task_data, task_schema, task_text
 from understudy.network.editing import edited, relinked
 from understudy.network.evidence import Interval, LinkEvidence, Occurrence
 from understudy.network.flattening import flattened
@@ -69,6 +69,7 @@ __all__ = [
     "reduce_links",
     "relinked",
     "save_task",
+    "task_data",
     "task_names",
     "task_path",
     "task_schema",

@@ -14,7 +14,7 @@ from understudy.network.parts import NetworkPart
 from understudy.network.reading import network_of
 from understudy.network.writing import network_part
 
-__all__ = ["Task", "load_task", "parse_task", "save_task", "task_schema", "task_text"]
+__all__ = ["Task", "load_task", "parse_task", "save_task", "task_data", "task_schema", "task_text"]
 
 
 class Task(NetworkPart):
@@ -106,13 +106,17 @@ def load_task(path: str | Path) -> tuple[Task, Network]:
     return parse_task(read_data(path, NetworkError), source=str(path))
 
 
-def task_text(task: Task) -> str:
-    """A task document as YAML."""
+def task_data(task: Task) -> dict[str, Any]:
+    """A task document as plain data, for JSON and YAML; what is as it is by default is left out."""
     written: dict[str, Any] = task.model_dump(mode="json", by_alias=True, exclude_defaults=True)
     data: dict[str, Any] = {"understudy": task.understudy}
     data |= {key: written.pop(key) for key in ("name", "note") if key in written}
-    data |= written
-    text: str = yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=120, default_flow_style=None)
+    return data | written
+
+
+def task_text(task: Task) -> str:
+    """A task document as YAML."""
+    text: str = yaml.safe_dump(task_data(task), sort_keys=False, allow_unicode=True, width=120, default_flow_style=None)
     return text
 
 

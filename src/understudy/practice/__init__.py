@@ -3,16 +3,20 @@
 from understudy.practice.attribution import Attribution, attributions
 from understudy.practice.corrections import Correction, PracticeReport
 from understudy.practice.edits import inserted, without
-from understudy.practice.practising import Practice
+from understudy.practice.minutes import minutes_of, read_minutes
+from understudy.practice.practising import LISTEN_S, Practice
 from understudy.practice.reassigning import reassigned
 
 __all__ = [
+    "LISTEN_S",
     "Attribution",
     "Correction",
     "Practice",
     "PracticeReport",
     "attributions",
     "inserted",
+    "minutes_of",
+    "read_minutes",
     "reassigned",
     "without",
 ]

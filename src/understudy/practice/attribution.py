@@ -18,7 +18,7 @@ class Attribution:
     """One step that a word may be about.
 
     Attributes:
-        component: its path.
+        component: its path; END of a COME that is about what comes after everything else.
         how: it was ``finished`` lately; it is ``executing``; it is the one that the robot is ``searching`` for; or the
             teacher ``said`` afterwards that it was meant.
         since_s: since when, seconds on the robot's clock.

@@ -1,11 +1,12 @@
 """What feedback makes of a task: a step taken out, or a learned piece put in before one (§6.1, §6.2)."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from understudy.errors import NetworkError
-from understudy.network import END, START, Edge, Link, LinkType, Network, edited, reduce_links
+from understudy.generalization import Symbol, symbol_of
+from understudy.network import END, START, Component, Edge, Link, LinkType, Nab, Network, edited, reduce_links
 
 __all__ = ["inserted", "without"]
 
@@ -59,23 +60,28 @@ def inserted(network: Network, before: str, piece: Network) -> Network:
     Every link that entered the step enters the piece: nothing may lead around the new steps (§5.2). What had to hold
     all the while, such as a box that is carried, has to hold during the new steps, too, and still during the old one.
 
+    If the task has these very steps there already, and a direct way led past them, no second ones are made: the direct
+    way is closed, as §5.2 has it, and they are done from now on.
+
     Args:
         network: the task.
-        before: the path of the step.
+        before: the path of the step; END for a piece that comes after everything else.
         piece: what was learned; its ids are changed where they are taken.
 
     Raises:
         NetworkError: there is no such step.
     """
+    if before == END and END not in network.by_id:
+        return reduce_links(_appended(network, piece))
     inside, _ = _home(network, before)
     id_ = before[len(inside) :]
 
     def change(home: Network) -> Network:
-        names = _free_names(piece, home.by_id)
-        new = [replace(part, id=names[part.id]) for part in piece.components]
-        within = [replace(link, source=names[link.source], target=names[link.target]) for link in piece.links]
+        known = _passed_by(home, id_, piece)
+        names = known or _free_names(piece, home.by_id)
+        steps = [names[one] for one in piece.topological_order]
         first = [names[part.id] for part in piece.components if not piece.incoming[part.id]]
-        entering = home.incoming[id_]
+        entering = [link for link in home.incoming[id_] if link.source not in steps]
         lasting = [link for link in entering if link.type is LinkType.PERMANENT]
         into = [
             Link(source=link.source, target=target, type=LinkType.ORDERING)
@@ -83,17 +89,73 @@ def inserted(network: Network, before: str, piece: Network) -> Network:
             if link not in lasting
             for target in first
         ]
-        through = [replace(link, target=part.id, evidence=()) for link in lasting for part in new]
+        through = [replace(link, target=step, evidence=()) for link in lasting for step in steps]
+        moved = [link for link in entering if link not in lasting]
+        old = [link for link in home.links if link not in moved]
+        paths = _entered(home.paths, id_, steps)
+        if known:
+            linked = {(link.source, link.target) for link in old}
+            added = [link for link in (*into, *through) if (link.source, link.target) not in linked]
+            return replace(home, links=(*old, *added), paths=paths)
+        new = tuple(replace(part, id=names[part.id]) for part in piece.components)
+        within = _renamed(piece.links, names)
         out = [Link(source=names[sink], target=id_, type=LinkType.ORDERING) for sink in piece.sinks]
-        old = [link for link in home.links if link.target != id_ or link in lasting]
         where = next(index for index, part in enumerate(home.components) if part.id == id_)
         components = (*home.components[:where], *new, *home.components[where:])
-        steps = [names[one] for one in piece.topological_order]
-        return Network(
-            components, (*old, *into, *through, *within, *out), home.inhibitions, _entered(home.paths, id_, steps)
-        )
+        return Network(components, (*old, *into, *through, *within, *out), home.inhibitions, paths)
 
     return reduce_links(edited(network, inside, change))
+
+
+def _appended(network: Network, piece: Network) -> Network:
+    """A task with a learned piece after everything else; nothing but a duty goes on beside it."""
+    names = _free_names(piece, network.by_id)
+    new = tuple(replace(part, id=names[part.id]) for part in piece.components)
+    first = [names[part.id] for part in piece.components if not piece.incoming[part.id]]
+    into = [
+        Link(source=sink, target=target, type=LinkType.ORDERING)
+        for sink in (() if network.paths else network.sinks)
+        for target in first
+    ]
+    steps = [names[one] for one in piece.topological_order]
+    links = (*network.links, *into, *_renamed(piece.links, names))
+    return Network((*network.components, *new), links, network.inhibitions, _entered(network.paths, END, steps))
+
+
+def _passed_by(home: Network, id_: str, piece: Network) -> dict[str, str]:
+    """The steps of the task that a piece shows, if they lead to this one, and a direct way leads past them.
+
+    Returns:
+        Their ids by those of the piece; none if the task has no such steps.
+    """
+    if not home.paths:
+        return {}
+    topology = home.topology
+    wanted = [symbol_of(part) for part in map(piece.by_id.get, piece.topological_order) if isinstance(part, Component)]
+    if len(wanted) != len(piece.components):
+        return {}
+    branches: list[list[str]] = [[id_]]
+    for symbol in reversed(wanted):
+        branches = [
+            [one, *branch]
+            for branch in branches
+            for one in topology.predecessors[branch[0]]
+            if one in topology.bypassed and _is(home.by_id[one], symbol)
+        ]
+    for *branch, _ in branches:
+        # Who leads to the step must not itself come after what is to be put before it.
+        others = [one for one in topology.predecessors[id_] if one not in branch]
+        if not any(topology.leads(branch[0], one) for one in others):
+            return dict(zip(piece.topological_order, branch, strict=True))
+    return {}
+
+
+def _is(part: Component | Nab, symbol: Symbol) -> bool:
+    return isinstance(part, Component) and symbol_of(part) == symbol
+
+
+def _renamed(links: Iterable[Link], names: Mapping[str, str]) -> list[Link]:
+    return [replace(link, source=names[link.source], target=names[link.target]) for link in links]
 
 
 def _joined(home: Network, id_: str) -> tuple[Edge, ...]:
@@ -117,12 +179,26 @@ def _joined(home: Network, id_: str) -> tuple[Edge, ...]:
 
 
 def _entered(paths: Iterable[Edge], id_: str, steps: Sequence[str]) -> tuple[Edge, ...]:
-    """The ways with new steps, one after the other, before one that they lead to: none leads around the new ones."""
-    edges = tuple(replace(edge, target=steps[0]) if edge.target == id_ else edge for edge in paths)
+    """The ways with steps, one after the other, before one that they lead to: none leads around them."""
+    edges: dict[tuple[str, str], Edge] = {}
+    for edge in paths:
+        if edge.target != id_:
+            _add(edges, edge)
+        elif edge.source not in steps:
+            _add(edges, replace(edge, target=steps[0]))
     if not edges:
         return ()
-    shown = tuple(dict.fromkeys(name for edge in edges if edge.target == steps[0] for name in edge.shown))
-    return (*edges, *(Edge(source=a, target=b, shown=shown) for a, b in pairwise((*steps, id_))))
+    shown = tuple(dict.fromkeys(name for edge in edges.values() if edge.target == steps[0] for name in edge.shown))
+    for source, target in pairwise((*steps, id_)):
+        _add(edges, Edge(source=source, target=target, shown=shown))
+    return tuple(edges.values())
+
+
+def _add(edges: dict[tuple[str, str], Edge], edge: Edge) -> None:
+    """One more edge, or one that is there already, shown by more demonstrations."""
+    pair = edge.source, edge.target
+    there = edges.get(pair, edge)
+    edges[pair] = replace(there, shown=tuple(dict.fromkeys((*there.shown, *edge.shown))))
 
 
 def _home(network: Network, path: str) -> tuple[str, Network]:

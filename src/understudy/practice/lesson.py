@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from understudy.behaviors import Skill
+from understudy.generalization import Symbol
 from understudy.learning import Apprentice, Instance, LearningSettings, Observer, evaluate, learn
 from understudy.network import Network
 from understudy.perception import Percepts
@@ -55,7 +56,7 @@ class Showing:
         command, news = self._apprentice.step(percepts, words)
         return command, [record for record in news if record["kind"] != "heard"]
 
-    def piece(self, name: str, held: Collection[Instance]) -> Network:
+    def piece(self, name: str, held: Collection[Symbol]) -> Network:
         """What was learned.
 
         Args:
@@ -68,6 +69,12 @@ class Showing:
         demonstration = self._observer.finish(name=name)
         begun_s = demonstration.span.start
         seen = tuple(
-            one for one in demonstration.observations if one.instance not in held or one.interval.start > begun_s
+            one
+            for one in demonstration.observations
+            if _symbol(one.instance) not in held or one.interval.start > begun_s
         )
         return learn(replace(demonstration, observations=seen), self._settings).network
+
+
+def _symbol(instance: Instance) -> Symbol:
+    return Symbol(instance.behavior, tuple(sorted((name, str(value)) for name, value in instance.parameters)))

@@ -7,8 +7,9 @@ from understudy.behaviors import Skill
 from understudy.clock import CONTROL_PERIOD_S
 from understudy.errors import LearningError, NetworkError
 from understudy.execution import Controller, Event, History, SavedContext, State
-from understudy.learning import Instance, LearningSettings
-from understudy.network import Component, LinkType, Network
+from understudy.generalization import Symbol, symbol_of
+from understudy.learning import LearningSettings
+from understudy.network import END, Component, LinkType, Network
 from understudy.perception import Perception, Percepts
 from understudy.practice.attribution import REACTION_S, Attribution, attributions
 from understudy.practice.corrections import Correction, Ending, PracticeReport
@@ -16,15 +17,19 @@ from understudy.practice.edits import inserted, without
 from understudy.practice.lesson import Showing
 from understudy.robot import STOP, Command, Cue, Journal, NoJournal, Observation, Robot, control
 
-__all__ = ["Practice"]
+__all__ = ["LISTEN_S", "Practice"]
+
+LISTEN_S = 2 * REACTION_S
+"""For so long the robot listens when its task is done: first a word is about the last step, then about what is missing
+after it."""
 
 
 class Practice:
     """One practice run.
 
     What BAD takes out is not executed any more. What COME … GO puts in is for the next run: the robot has just been led
-    through it, and goes on where it left off (§6.2). When the task is done the robot listens on, for as long as a word
-    may be about the last step.
+    through it, and goes on where it left off (§6.2). When the task is done the robot listens on: for as long as a word
+    may be about the last step, and as long again for a COME that shows what is missing at the end.
 
     Args:
         robot: that practises.
@@ -58,6 +63,7 @@ class Practice:
         self.corrections: list[Correction] = []
         self._showing: Showing | None = None
         self._done_s: float | None = None
+        self._shown_s = 0.0  # how long lessons have taken since then
         self._nothing_left = False
         self._stopped_by = ""
         self._journal: Journal = NoJournal()
@@ -123,7 +129,7 @@ class Practice:
     def _is_over(self, now_s: float) -> bool:
         if self._showing is not None:
             return False
-        heard_out = self._done_s is not None and now_s - self._done_s >= REACTION_S
+        heard_out = self._done_s is not None and now_s - self._done_s - self._shown_s >= LISTEN_S
         return heard_out or self._nothing_left or bool(self._stopped_by)
 
     def _step(self, percepts: Percepts, cues: Sequence[Cue]) -> Command:
@@ -198,6 +204,8 @@ class Practice:
         """COME: the run is suspended, and the teacher followed."""
         # Nothing can wait for a duty, and so nothing can come before it.
         meant = tuple(one for one in self._meant(time_s) if not self._on_duty(one.component))
+        if self._done_s is not None:
+            meant = (*meant, Attribution(component=END, how="finished", since_s=self._done_s))
         asked = Correction(word=Cue.COME, time_s=time_s, meant=meant, before=self.network, after=self.network)
         self._showing = Showing(asked, self.skills, self.robot.spec, self.settings, seed=self.seed)
         self._tell(Event(time_s=time_s, kind="suspended"))
@@ -229,7 +237,7 @@ class Practice:
         if context.time_s is not None:
             context.pass_over(time_s - context.time_s)
         if self._done_s is not None:
-            self._done_s += time_s - asked.time_s
+            self._shown_s += time_s - asked.time_s
         self._tell(Event(time_s=time_s, kind="resumed"))
 
     def _meant(self, time_s: float) -> tuple[Attribution, ...]:
@@ -240,18 +248,14 @@ class Practice:
         parts = (self.network.by_path.get(prefix) for prefix in around)
         return any(part is not None and part.trigger is not None for part in parts)
 
-    def _maintained(self, before: str) -> set[Instance]:
+    def _maintained(self, before: str) -> set[Symbol]:
         """What has to hold all the while the step is executed: no part of what is shown, but its condition."""
+        if before not in self.network.by_path:
+            return set()
         inside, home = self.network.home_of(before)
         links = home.incoming[before[len(inside) :]]
         sources = [home.by_id[link.source] for link in links if link.type is LinkType.PERMANENT]
-        return {self._instance(part) for part in sources if isinstance(part, Component)}
-
-    def _instance(self, step: Component) -> Instance:
-        """A step as the observer calls what it sees of it: the behavior, and the parameters that tell uses apart."""
-        parameters = self.skills[step.behavior].abstract.parameters
-        named = [one.name for one in parameters if one.kind != "number" and one.name in step.parameters]
-        return Instance(step.behavior, tuple((name, str(step.parameters[name])) for name in named))
+        return {symbol_of(part) for part in sources if isinstance(part, Component)}
 
     def _in_vain(self, cue: Cue, time_s: float, note: str) -> None:
         """A word of which nothing can be made."""

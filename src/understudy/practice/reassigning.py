@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from understudy.errors import NetworkError
+from understudy.network import END, Component
 from understudy.practice.attribution import Attribution
 from understudy.practice.corrections import Correction
 from understudy.practice.edits import inserted, without
 from understudy.robot import Cue
 
-__all__ = ["reassigned"]
+__all__ = ["made", "reassigned"]
 
 
 def reassigned(corrections: Sequence[Correction], number: int, component: str) -> tuple[Correction, ...]:
@@ -18,7 +19,7 @@ def reassigned(corrections: Sequence[Correction], number: int, component: str) -
     Args:
         corrections: of one practice run, in their order.
         number: of the word to be understood otherwise; the first is 1.
-        component: the path of the step that it was about.
+        component: the path of the step that it was about; END for a COME that showed what comes after everything else.
 
     Returns:
         As many corrections; the last one's ``after`` is the task now. One that cannot be made any more says so in its
@@ -30,8 +31,13 @@ def reassigned(corrections: Sequence[Correction], number: int, component: str) -
     if not 1 <= number <= len(corrections):
         raise NetworkError(f"there is no correction {number}; the practice run has {len(corrections)}")
     chosen = corrections[number - 1]
-    if component not in chosen.before.by_path:
-        raise NetworkError(f"no step was called {component!r} then; there were: {', '.join(chosen.before.by_path)}")
+    steps = [path for path, part in chosen.before.walk() if isinstance(part, Component)]
+    if chosen.piece is not None:
+        steps.append(END)
+    if component not in steps:
+        raise NetworkError(f"no step was called {component!r} then; there were: {', '.join(steps)}")
+    if chosen.word is not Cue.BAD and chosen.piece is None:
+        raise NetworkError(f"of {chosen.word} at {chosen.time_s:.1f} s nothing was learned that could go elsewhere")
     others = tuple(one for one in chosen.meant if one.component != component)
     first = next(
         (one for one in chosen.meant if one.component == component),
@@ -40,13 +46,16 @@ def reassigned(corrections: Sequence[Correction], number: int, component: str) -
     result = list(corrections[: number - 1])
     task = chosen.before
     for correction in (replace(chosen, meant=(first, *others)), *corrections[number:]):
-        result.append(_made(replace(correction, before=task, after=task)))
+        result.append(made(replace(correction, before=task, after=task)))
         task = result[-1].after
     return tuple(result)
 
 
-def _made(correction: Correction) -> Correction:
-    """One correction on the task before it."""
+def made(correction: Correction) -> Correction:
+    """A correction as it comes out on the task before it.
+
+    One that is about no step, or of which nothing was learned, changes nothing, and keeps its note.
+    """
     if not correction.meant or (correction.word is not Cue.BAD and correction.piece is None):
         return correction
     correction = replace(correction, note="")

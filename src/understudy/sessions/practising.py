@@ -10,9 +10,9 @@ from understudy.behaviors import Skill
 from understudy.errors import WorldError
 from understudy.execution import compile_network
 from understudy.learning import LearningSettings
-from understudy.network import Network, differences
+from understudy.network import Network
 from understudy.perception import Percepts
-from understudy.practice import Practice, PracticeReport
+from understudy.practice import Practice, PracticeReport, minutes_of
 from understudy.robot import Journal
 from understudy.sessions.capability import check_capable
 from understudy.sessions.running import run_recorder
@@ -28,6 +28,7 @@ class Practised:
 
     Attributes:
         task: its name.
+        network: the task as it was practised.
         report: the robot's own, with the corrected task.
         recording: the file, if it was recorded.
         stage: the room as it is now, with everybody's paths.
@@ -36,6 +37,7 @@ class Practised:
     """
 
     task: str
+    network: Network
     report: PracticeReport
     recording: Path | None
     stage: Stage
@@ -52,18 +54,7 @@ class Practised:
             "done": report.done,
             "ending": report.ending,
             "duration_s": round(report.duration_s, 1),
-            "corrections": [
-                {
-                    "word": one.word.value,
-                    "time_s": one.time_s,
-                    "component": one.meant[0].component if one.meant else None,
-                    "how": one.meant[0].told(one.time_s) if one.meant else None,
-                    "others": [other.component for other in one.meant[1:]],
-                    "changes": list(differences(one.before, one.after)),
-                    "note": one.note,
-                }
-                for one in report.corrections
-            ],
+            **minutes_of(self.task, self.network, report.corrections),
             "collisions": dict(self.verdict.collisions),
             "complaints": list(self.complaints),
             "recording": str(self.recording) if self.recording else None,
@@ -127,6 +118,7 @@ def practise(
         report = practice.run(limit_s=limit_s, journal=journal, watch=look)
     return Practised(
         task=name,
+        network=network,
         report=report,
         recording=recording,
         stage=stage,
