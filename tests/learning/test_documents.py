@@ -191,4 +191,4 @@ def test_the_schema_knows_the_keys_of_the_parser() -> None:
     interval = schema["$defs"]["IntervalEntry"]
     assert interval["additionalProperties"] is False
     assert set(interval["required"]) == {"label", "start", "end"}
-    assert schema["$defs"]["CueEntry"]["properties"]["cue"]["enum"] == ["HERE", "TAKE", "DROP"]
+    assert schema["$defs"]["CueEntry"]["properties"]["cue"]["enum"] == ["HERE", "TAKE", "DROP", "REPEAT", "UNTIL"]

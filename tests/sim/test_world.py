@@ -167,7 +167,9 @@ def test_words_need_no_capitals(word: object) -> None:
 
 
 def test_an_unknown_word_is_shown_as_it_was_written() -> None:
-    with pytest.raises(WorldError, match=r"'tkae' is unknown here; choose one of: START, HERE, TAKE, DROP, DONE"):
+    with pytest.raises(
+        WorldError, match=r"'tkae' is unknown here; choose one of: START, HERE, TAKE, DROP, REPEAT, UNTIL, DONE"
+    ):
         World.from_data(world_data(teacher={**TEACHER, "script": [{"say": "tkae"}]}))
 
 

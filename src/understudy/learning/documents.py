@@ -46,10 +46,11 @@ class IntervalEntry(Entry):
 
 
 class CueEntry(Entry):
-    """One of the teacher's words, at ``time``. With any of them, only steps that they fall on are learned."""
+    """One of the teacher's words, at ``time``. With HERE, TAKE or DROP, only steps that they fall on are learned;
+    REPEAT and UNTIL enclose what is done again and again."""
 
     time: Moment
-    cue: Literal["HERE", "TAKE", "DROP"]
+    cue: Literal["HERE", "TAKE", "DROP", "REPEAT", "UNTIL"]
 
 
 class IntervalsDocument(Entry):

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from understudy.errors import LearningError
-from understudy.learning.construction import construct
+from understudy.learning.loops import loops_of, with_loops, without_ends
 from understudy.learning.observations import Demonstration, Observed
 from understudy.learning.selection import Dropped, Selection, select
 from understudy.learning.settings import LearningSettings
@@ -51,16 +51,20 @@ def learn(demonstration: Demonstration, settings: LearningSettings | None = None
             f"{settings.begin} to {settings.end}. Lead the robot close to the targets, and stay there for at least "
             f"{settings.min_duration_s:g} s"
         )
-    selection = select(demonstration, settings)
+    loops, slips = loops_of(demonstration, settings)
+    selection = without_ends(select(demonstration, settings), loops)
     if not selection.kept:
         raise LearningError(_nothing_left(demonstration, selection))
+    network, empty = with_loops(selection.kept, loops, demonstration=demonstration.name, settings=settings)
     return Lesson(
         demonstration=demonstration.name,
-        network=construct(selection.kept, demonstration=demonstration.name, settings=settings),
+        network=network,
         kept=selection.kept,
         dropped=selection.dropped,
         notes=(
             *demonstration.notes,
+            *slips,
+            *empty,
             *_words_without_effect(demonstration, selection, settings),
             *(f"{cue} at {time:.1f} s fell on nothing that was kept." for time, cue in selection.unused_cues),
         ),

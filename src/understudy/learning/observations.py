@@ -74,7 +74,7 @@ class Demonstration:
         name: under which the evidence refers to it.
         span: from START to DONE.
         observations: in order of appearance.
-        cues: HERE, TAKE and DROP with their times.
+        cues: HERE, TAKE, DROP, REPEAT and UNTIL with their times.
         taken_back: what a word pointed at and the teacher took back, by BAD: the word, and the kind of the thing.
         annotated: somebody wrote the intervals down. Then they are no sensor readings, and none of them is taken for a
             false indication because it is short.
@@ -90,3 +90,8 @@ class Demonstration:
     annotated: bool = False
     notes: tuple[str, ...] = ()
     done: bool = True
+
+    @property
+    def pointing(self) -> tuple[tuple[float, Cue], ...]:
+        """The words that say of what is sensed that it matters: HERE, TAKE and DROP."""
+        return tuple((time_s, cue) for time_s, cue in self.cues if cue in (Cue.HERE, Cue.TAKE, Cue.DROP))

@@ -19,7 +19,7 @@ from understudy.robot.cues import Cue
 
 __all__ = ["Observer"]
 
-SALIENT = (Cue.HERE, Cue.TAKE, Cue.DROP)
+_KEPT = (Cue.HERE, Cue.TAKE, Cue.DROP, Cue.REPEAT, Cue.UNTIL)
 
 Kind = TypeVar("Kind", bound=tuple[str, tuple[tuple[str, ParameterValue], ...]])
 """An :class:`Instance`, or the skills' own pair of behavior and discrete parameters."""
@@ -178,7 +178,7 @@ class Observer:
             case c, Phase.WATCHING if c == end:
                 self._done = True
                 self._close_all()
-            case c, Phase.WATCHING if c in SALIENT:
+            case c, Phase.WATCHING if c in _KEPT:
                 self._cues.append((time_s, c))
             case Cue.BAD, Phase.WATCHING:
                 self._take_back(time_s)

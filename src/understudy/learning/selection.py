@@ -31,7 +31,7 @@ from understudy.learning.pointing import falls_on, pointed_at, seen_too_far_off
 from understudy.learning.settings import DISTANCE, LearningSettings
 from understudy.robot.cues import Cue
 
-__all__ = ["Dropped", "Selection", "select"]
+__all__ = ["Dropped", "Selection", "false_indication", "select"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,7 +62,7 @@ def select(demonstration: Demonstration, settings: LearningSettings) -> Selectio
     kept: list[Observed] = []
     dropped: list[Dropped] = []
     seen = [one for one in demonstration.observations if not _too_short(one, settings)]
-    pointing = {word: pointed_at(word[0], seen, settings) for word in demonstration.cues}
+    pointing = {word: pointed_at(word[0], seen, settings) for word in demonstration.pointing}
     for bare in demonstration.observations:
         observed = replace(bare, cues=_words_on(bare, demonstration, settings, pointing))
         reason = _reason_against(observed, demonstration, settings)
@@ -72,29 +72,21 @@ def select(demonstration: Demonstration, settings: LearningSettings) -> Selectio
             kept.append(observed)
     used = {cue for observed in kept for cue in observed.cues}
     taken_back = {(time, cue) for time, cue, _ in demonstration.taken_back}
-    unused = tuple(cue for cue in demonstration.cues if cue not in used | taken_back)
+    unused = tuple(cue for cue in demonstration.pointing if cue not in used | taken_back)
     return Selection(kept=tuple(kept), dropped=tuple(dropped), unused_cues=unused)
 
 
 def _reason_against(observed: Observed, demonstration: Demonstration, settings: LearningSettings) -> str:
     """Why the observation is left out; empty if it is not."""
+    if false := false_indication(observed, demonstration, settings):
+        return false
     interval, span = observed.interval, demonstration.span
     begun_at_start = micros(interval.start) - micros(span.start) <= micros(settings.tolerance_s)
-    if not demonstration.annotated:
-        done_at_a_word = any(
-            observed.instance.behavior in settings.cue_effects.get(cue, ()) and time <= interval.start
-            for time, cue in observed.cues
-        )
-        too_short = _too_short(observed, settings)
-        if too_short and not done_at_a_word:
-            return f"seen for {interval.duration:.1f} s only (at least {settings.min_duration_s:g} s)"
-        if seen_too_far_off(observed, settings):
-            return f"{observed.values[DISTANCE]:.1f} m away (at most {settings.max_distance_m:g} m)"
     lasted_to_the_end = micros(span.end) - micros(interval.end) <= micros(settings.tolerance_s)
     unchanging = not observed.values and begun_at_start and lasted_to_the_end and not demonstration.annotated
     if unchanging and not settings.keep_unchanging:
         return "true from the beginning to the end"
-    if settings.heed_cues and demonstration.cues and not observed.cues:
+    if settings.heed_cues and demonstration.pointing and not observed.cues:
         standing = observed.instance.behavior in settings.standing and begun_at_start and not demonstration.annotated
         if not standing:
             return "no cue while it was true"
@@ -103,6 +95,22 @@ def _reason_against(observed: Observed, demonstration: Demonstration, settings: 
 
 def _too_short(observed: Observed, settings: LearningSettings) -> bool:
     return micros(observed.interval.end) - micros(observed.interval.start) < micros(settings.min_duration_s)
+
+
+def false_indication(observed: Observed, demonstration: Demonstration, settings: LearningSettings) -> str:
+    """Why the observation is taken for noise (§4.4.1); empty if it is not."""
+    if demonstration.annotated:
+        return ""
+    interval = observed.interval
+    done_at_a_word = any(
+        observed.instance.behavior in settings.cue_effects.get(cue, ()) and time <= interval.start
+        for time, cue in observed.cues
+    )
+    if _too_short(observed, settings) and not done_at_a_word:
+        return f"seen for {interval.duration:.1f} s only (at least {settings.min_duration_s:g} s)"
+    if seen_too_far_off(observed, settings):
+        return f"{observed.values[DISTANCE]:.1f} m away (at most {settings.max_distance_m:g} m)"
+    return ""
 
 
 def _words_on(
@@ -117,10 +125,10 @@ def _words_on(
         meant = (word for word, things in pointing.items() if any(one is observed for one in things))
         found = {word for word in meant if (*word, observed.instance) not in demonstration.taken_back}
     else:
-        found = {(time, cue) for time, cue in demonstration.cues if falls_on(time, observed.interval, settings)}
+        found = {(time, cue) for time, cue in demonstration.pointing if falls_on(time, observed.interval, settings)}
     for cue, behaviors in settings.cue_effects.items():
         if observed.instance.behavior in behaviors:
-            said = sorted(time for time, word in demonstration.cues if word == cue)
+            said = sorted(time for time, word in demonstration.pointing if word == cue)
             last = bisect_right(said, start, key=micros) - 1
             if last >= 0 and start - micros(said[last]) <= micros(settings.cue_delay_s):
                 found.add((said[last], cue))
