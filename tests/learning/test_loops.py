@@ -51,6 +51,17 @@ def test_the_words_that_point_make_steps_as_ever() -> None:
     assert ids(again.network) == ["repeat-1", "repeat-1/b-1"]
 
 
+def test_what_was_so_when_the_word_came_ends_the_loop() -> None:
+    """Not what comes a moment later, but for want of anything else; a word may come too early."""
+    seen = "b 11 14, d 20 35, e 24.5 50"
+    early, late = (
+        lesson((10.0, "REPEAT"), (24.0, "UNTIL"), seen=seen),
+        lesson((10.0, "REPEAT"), (19.0, "UNTIL"), seen=seen),
+    )
+    assert "d-1" not in early.network.by_path
+    assert early.network.by_path["repeat-1"] == late.network.by_path["repeat-1"]
+
+
 def test_two_loops_one_after_the_other() -> None:
     found = lesson((10.0, "REPEAT"), (15.0, "UNTIL"), (20.0, "REPEAT"), (45.0, "UNTIL"))
     assert ids(found.network) == ["a-1", "repeat-1", "repeat-1/b-1", "repeat-2", "repeat-2/d-1"]

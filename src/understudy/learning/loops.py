@@ -67,7 +67,7 @@ def loops_of(demonstration: Demonstration, settings: LearningSettings) -> tuple[
             span = Interval(begun_s, time_s)
             ends = list(_ends(span, demonstration, settings))
             if ends:
-                loops.append(Loop(span=span, end=max(ends, key=lambda one: one.interval.start)))
+                loops.append(Loop(span=span, end=min(ends, key=lambda one: _lateness(one, time_s))))
             else:
                 notes.append(
                     f"UNTIL at {time_s:.1f} s fell on nothing new: only steps had come to be so since REPEAT at "
@@ -92,6 +92,12 @@ def _ends(span: Interval, demonstration: Demonstration, settings: LearningSettin
             and not false_indication(observed, demonstration, settings)
         ):
             yield observed
+
+
+def _lateness(observed: Observed, said_s: float) -> tuple[bool, float]:
+    """What was so already when UNTIL was said goes before what came a moment later; the nearest to the word first."""
+    start = observed.interval.start
+    return start > said_s, abs(said_s - start)
 
 
 def without_ends(selection: Selection, loops: Sequence[Loop]) -> Selection:
