@@ -20,6 +20,11 @@ def test_every_command_of_the_page_does_what_it_says(tmp_path: Path, capsys: pyt
     # Another processor may round otherwise, and be a tenth of a second later.
     assert re.sub(r"[\d.]+ s", "T", outputs[0]) == re.sub(r"[\d.]+ s", "T", shown)
     assert "Done after" in outputs[1]
+    assert "step 1 (go to the green target), finished" in outputs[2]
+    again = json.loads((tmp_path / "understudy-out" / "practice-practice-2.json").read_text())
+    assert again["corrections"][0]["changes"][0] == "track-green-1 is gone"
+    assert Path(tmp_path / again["corrected"]).exists()
+    assert ["passed by no more" in output for output in outputs[3:]] == [True, False]
     report = json.loads((tmp_path / "understudy-out" / "practice-practice.json").read_text())
     assert [one["word"] for one in report["corrections"]] == ["BAD", "COME"]
     assert report["corrections"][0]["changes"][0] == "track-red-1 is gone"
@@ -46,3 +51,15 @@ def test_a_practice_without_a_word_leaves_the_task_as_it_is(tmp_path: Path) -> N
     assert json.loads(late.stdout)["done"] is False
     alone = understudy("practice", "green.json", "-w", "hierarchical", folder=tmp_path, expect=2)
     assert "nobody watches the practice" in alone.stderr
+
+
+def test_a_word_is_reassigned_by_what_its_step_was_called(tmp_path: Path) -> None:
+    practised = "understudy-out/practice-practice.json"
+    understudy("practice", "practice", "--world", "practice", folder=tmp_path)
+    told = json.loads(understudy("reassign", practised, "1=1", "2=END", "--json", folder=tmp_path).stdout)
+    assert [one["component"] for one in told["corrections"]] == ["track-green-1", "END"]
+    assert understudy("reassign", told["corrected"].replace("yaml", "json"), "1=2", folder=tmp_path).stdout
+    for given, problem in (("1", "write WORD=STEP"), ("3=1", "no correction 3"), ("1=9", "no step was called '9'")):
+        assert problem in understudy("reassign", practised, given, folder=tmp_path, expect=2).stderr
+    (tmp_path / "x.json").write_text("{}", encoding="utf-8")
+    assert "no report of a practice run" in understudy("reassign", "x.json", "1=1", folder=tmp_path, expect=2).stderr

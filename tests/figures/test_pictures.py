@@ -1,6 +1,7 @@
 """Every picture with realistic contents: nothing is clipped, and no text lies on another."""
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ from matplotlib.text import Text
 
 from tests.figures import nested, samples
 from understudy.behaviors import installed_skills
-from understudy.execution.trace import State
+from understudy.execution.trace import Event, State
 from understudy.figures import (
     Mark,
     Trajectory,
@@ -22,7 +23,7 @@ from understudy.figures import (
 )
 from understudy.figures.progress import rows_of
 from understudy.learning import learn
-from understudy.network import Network
+from understudy.network import Component, Network
 from understudy.robot import Cue
 
 
@@ -219,6 +220,19 @@ def test_progress_tells_of_every_part_and_round():
     assert not {"inhibited", "called", "round or case begins"} & set(texts_of(progress(samples.visit(), "visit")))
     letters = texts_of(PICTURES["progress of cases"]())
     assert (letters.count("b"), letters.count("a")) == (2, 2)
+
+
+def test_progress_shows_a_lesson_and_what_was_bad():
+    told = (
+        Event(time_s=1.0, kind="suspended"),
+        Event(time_s=4.0, kind="resumed"),
+        Event(time_s=5.5, kind="corrected", component="green", detail={"word": "BAD", "said_s": 5.0, "others": []}),
+    )
+    task = Network((Component(id="green", behavior="Track", parameters={"color": "green"}),))
+    assert {"being shown, COME to GO", "BAD: taken out"} <= set(texts_of(draw_progress(task, told, 10.0)))
+    in_vain = replace(told[2], detail={**told[2].detail, "note": "it is the only step"})
+    quiet = draw_progress(task, [in_vain], 10.0)
+    assert not {"being shown, COME to GO", "BAD: taken out"} & set(texts_of(quiet))
 
 
 def test_parts_stand_below_what_they_are_parts_of():

@@ -15,6 +15,7 @@ from understudy.network import Nab, Network
 __all__ = ["draw_progress", "rows_of"]
 
 _EXECUTING = "#c6cdd6"
+_SHOWN = "#f3ecdc"
 _GOAL = 8.0
 """Height of the bar that shows when a goal held; the robot's doings fill the row behind it."""
 _INDENT = 11.0
@@ -58,6 +59,8 @@ def draw_progress(
         key=_key(events),
     )
     sheet = chart.sheet
+    for start, end in _lessons(events, begin, duration):
+        _lesson(sheet, axis.x(start), axis.x(end), chart.top, chart.bottom)
     for (path, row), middle in zip(rows.items(), chart.middles, strict=True):
         states = [(event.time_s - begin, event.detail.get("state")) for event in mine[path] if event.kind == "state"]
         for start, end, state in _spells(states, duration):
@@ -75,6 +78,8 @@ def draw_progress(
                 _diamond(sheet, axis.x(event.time_s - begin), middle, found=not event.detail.get("on_purpose", True))
             elif event.kind in _MARKS:
                 _MARKS[event.kind](sheet, axis.x(event.time_s - begin), middle)
+            elif _is_bad(event):
+                _bad(sheet, axis.x(float(event.detail["said_s"]) - begin), middle)
         text, quiet = told[path]
         sheet.text(sheet.width - 26.0, middle, text, color=MUTED if quiet else INK, align="right")
     for path, component in network.walk():
@@ -177,6 +182,31 @@ def _timed_out(sheet: Sheet, x: float, y: float) -> None:
         sheet.line([(x - 3.6, y - 3.6 * slope), (x + 3.6, y + 3.6 * slope)], color=INK, width=1.6, z=4.5)
 
 
+def _is_bad(event: Event) -> bool:
+    """Whether a teacher's BAD took the step out."""
+    return event.kind == "corrected" and event.detail.get("word") == "BAD" and "note" not in event.detail
+
+
+def _bad(sheet: Sheet, x: float, y: float) -> None:
+    """The step is taken out."""
+    sheet.rectangle(x - 5.0, y - 5.0, 10.0, 10.0, fill=PAPER, border=INK, line=1.1, z=5)
+    for slope in (1, -1):
+        sheet.line([(x - 3.0, y - 3.0 * slope), (x + 3.0, y + 3.0 * slope)], color=INK, width=1.4, z=5.5)
+
+
+def _lessons(events: Sequence[Event], begin: float, until: float) -> list[tuple[float, float]]:
+    """From each COME to its GO, or to the end."""
+    changes = [
+        (event.time_s - begin, event.kind == "suspended") for event in events if event.kind in ("suspended", "resumed")
+    ]
+    return [(start, end) for start, end, shown in _spells(changes, until) if shown]
+
+
+def _lesson(sheet: Sheet, left: float, right: float, top: float, bottom: float) -> None:
+    """The run is suspended, while the teacher shows something: no step is executed, though goals may hold."""
+    sheet.rectangle(left, top, right - left, bottom - top, fill=_SHOWN, z=2.5)
+
+
 _MARKS: dict[str, Callable[[Sheet, float, float], None]] = {"called": _called, "timeout": _timed_out}
 
 
@@ -195,6 +225,14 @@ def _diamond_sample(found: bool) -> Drawing:
 def _mark_sample(kind: str) -> Drawing:
     lower = 5.0 if kind == "called" else 0.0  # it stands above the middle of its row
     return lambda sheet, x, y: _MARKS[kind](sheet, x + 10.0, y + lower)
+
+
+def _lesson_sample(sheet: Sheet, x: float, y: float) -> None:
+    _lesson(sheet, x, x + 20.0, y - BAR / 2, y + BAR / 2)
+
+
+def _bad_sample(sheet: Sheet, x: float, y: float) -> None:
+    _bad(sheet, x + 10.0, y)
 
 
 def _beginning_sample(sheet: Sheet, x: float, y: float) -> None:
@@ -225,4 +263,8 @@ def _key(events: Sequence[Event]) -> list[KeyItem]:
         key.append((_mark_sample("called"), "called"))
     if "timeout" in kinds:
         key.append((_mark_sample("timeout"), "out of time"))
+    if "suspended" in kinds:
+        key.append((_lesson_sample, "being shown, COME to GO"))
+    if any(map(_is_bad, events)):
+        key.append((_bad_sample, "BAD: taken out"))
     return key
