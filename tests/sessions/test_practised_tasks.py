@@ -6,7 +6,8 @@ from itertools import pairwise
 import pytest
 
 from understudy.behaviors import installed_skills
-from understudy.experiments.generalization import ways, worked_course
+from understudy.experiments.document import Learning
+from understudy.experiments.generalization import course, ways
 from understudy.experiments.judging import problems_of
 from understudy.network import END, Component, Link, LinkType, Network, load_task, task_path
 from understudy.robot import Cue
@@ -31,7 +32,8 @@ def done(run: Practised, *, seed: int, changed: bool = False) -> list[str]:
 
 
 def test_the_tasks_are_what_the_demonstrations_teach() -> None:
-    first, _, third = worked_course().tasks
+    rooms = [load_world(world_path(f"generalize_{number}")) for number in (1, 2, 3)]
+    first, _, third = course(rooms, Learning(heed_cues=False)).tasks
     assert ways(load_task(task_path("practice_demonstrated"))[1]) == ways(first)
     assert ways(load_task(task_path("practice_generalized"))[1]) == ways(third)
 

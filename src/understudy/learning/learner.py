@@ -51,8 +51,9 @@ def learn(demonstration: Demonstration, settings: LearningSettings | None = None
             f"{settings.begin} to {settings.end}. Lead the robot close to the targets, and stay there for at least "
             f"{settings.min_duration_s:g} s"
         )
-    loops, slips = loops_of(demonstration, settings)
-    selection = without_ends(select(demonstration, settings), loops)
+    selection = select(demonstration, settings)
+    loops, slips = loops_of(demonstration, selection, settings)
+    selection = without_ends(selection, loops)
     if not selection.kept:
         raise LearningError(_nothing_left(demonstration, selection))
     network, empty = with_loops(selection.kept, loops, demonstration=demonstration.name, settings=settings)

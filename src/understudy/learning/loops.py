@@ -9,7 +9,7 @@ The rest of the task is learned as if a round were one observation, from REPEAT 
 lead to the loop and on from it.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from understudy.learning.construction import construct
@@ -49,8 +49,17 @@ class Loop:
         return micros(self.span.start) <= micros(moment) <= micros(self.span.end)
 
 
-def loops_of(demonstration: Demonstration, settings: LearningSettings) -> tuple[tuple[Loop, ...], tuple[str, ...]]:
-    """The loops that a demonstration shows; and, for the teacher, the words of which none could be made."""
+def loops_of(
+    demonstration: Demonstration, selection: Selection, settings: LearningSettings
+) -> tuple[tuple[Loop, ...], tuple[str, ...]]:
+    """The loops that a demonstration shows; and, for the teacher, the words of which none could be made.
+
+    Args:
+        demonstration: with the words.
+        selection: of its observations, each with the words that made it a step.
+        settings: of the learner.
+    """
+    observed = [*selection.kept, *(one.observed for one in selection.dropped)]
     loops: list[Loop] = []
     notes: list[str] = []
     begun_s: float | None = None
@@ -65,7 +74,7 @@ def loops_of(demonstration: Demonstration, settings: LearningSettings) -> tuple[
             notes.append(f"UNTIL at {time_s:.1f} s was ignored, since no REPEAT came before it.")
         elif cue is Cue.UNTIL and begun_s is not None:
             span = Interval(begun_s, time_s)
-            ends = list(_ends(span, demonstration, settings))
+            ends = [one for one in observed if _may_end(one, span, demonstration, settings)]
             if ends:
                 loops.append(Loop(span=span, end=min(ends, key=lambda one: _lateness(one, time_s))))
             else:
@@ -79,19 +88,15 @@ def loops_of(demonstration: Demonstration, settings: LearningSettings) -> tuple[
     return tuple(loops), tuple(notes)
 
 
-def _ends(span: Interval, demonstration: Demonstration, settings: LearningSettings) -> Iterator[Observed]:
-    """What came to be so since REPEAT, is so at UNTIL, and was not made a step by any word."""
-    begun, said, grace = micros(span.start), micros(span.end), micros(settings.cue_grace_s)
-    words = [micros(time_s) for time_s, _ in demonstration.pointing if span.start <= time_s <= span.end]
-    for observed in demonstration.observations:
-        start, end = (micros(moment) for moment in observed.interval)
-        if (
-            begun < start <= said + grace
-            and end + grace >= said
-            and not any(start - grace <= word <= end + grace for word in words)
-            and not false_indication(observed, demonstration, settings)
-        ):
-            yield observed
+def _may_end(observed: Observed, span: Interval, demonstration: Demonstration, settings: LearningSettings) -> bool:
+    """Whether it came to be so since REPEAT, is so at UNTIL, and was not made a step by any word."""
+    grace = micros(settings.cue_grace_s)
+    return (
+        micros(span.start) < micros(observed.interval.start) <= micros(span.end) + grace
+        and micros(observed.interval.end) + grace >= micros(span.end)
+        and not any(span.start <= time_s <= span.end for time_s, _ in observed.cues)
+        and not false_indication(observed, demonstration, settings)
+    )
 
 
 def _lateness(observed: Observed, said_s: float) -> tuple[bool, float]:

@@ -12,7 +12,10 @@ from understudy.errors import LearningError
 from understudy.network import Interval
 from understudy.robot.cues import Cue
 
-__all__ = ["Demonstration", "History", "Instance", "Observed"]
+__all__ = ["SALIENT", "Demonstration", "History", "Instance", "Observed"]
+
+SALIENT = (Cue.HERE, Cue.TAKE, Cue.DROP)
+"""The words that point at what is sensed."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -94,4 +97,4 @@ class Demonstration:
     @property
     def pointing(self) -> tuple[tuple[float, Cue], ...]:
         """The words that say of what is sensed that it matters: HERE, TAKE and DROP."""
-        return tuple((time_s, cue) for time_s, cue in self.cues if cue in (Cue.HERE, Cue.TAKE, Cue.DROP))
+        return tuple((time_s, cue) for time_s, cue in self.cues if cue in SALIENT)

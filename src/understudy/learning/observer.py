@@ -11,7 +11,7 @@ import numpy as np
 
 from understudy.errors import LearningError
 from understudy.learning.instants import micros
-from understudy.learning.observations import Demonstration, History, Instance, Observed
+from understudy.learning.observations import SALIENT, Demonstration, History, Instance, Observed
 from understudy.learning.pointing import pointed_at
 from understudy.learning.settings import DISTANCE, LearningSettings
 from understudy.network import Interval, ParameterValue
@@ -19,7 +19,7 @@ from understudy.robot.cues import Cue
 
 __all__ = ["Observer"]
 
-_KEPT = (Cue.HERE, Cue.TAKE, Cue.DROP, Cue.REPEAT, Cue.UNTIL)
+_KEPT = (*SALIENT, Cue.REPEAT, Cue.UNTIL)
 
 Kind = TypeVar("Kind", bound=tuple[str, tuple[tuple[str, ParameterValue], ...]])
 """An :class:`Instance`, or the skills' own pair of behavior and discrete parameters."""
@@ -198,7 +198,8 @@ class Observer:
 
     def _take_back(self, time_s: float) -> None:
         since = micros(time_s) - micros(self.settings.take_back_s)
-        recent = [word for word in self._cues[-1:] if micros(word[0]) > since]
+        pointing = [word for word in self._cues if word[1] in SALIENT]
+        recent = [word for word in pointing[-1:] if micros(word[0]) > since]
         things = [(*word, one.instance) for word in recent for one in self.pointed_at(*word)]
         if not things:
             self._notes.append(f"BAD at {time_s:.1f} s was ignored: there was nothing to take back.")
