@@ -7,7 +7,7 @@ from pathlib import Path
 
 from understudy.behaviors import FollowTeacher, FollowTrail, Skill
 from understudy.errors import WorldError
-from understudy.execution import compile_network
+from understudy.execution import Tally, compile_network
 from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate
 from understudy.network import Network
 from understudy.perception import Percepts
@@ -35,6 +35,7 @@ class PassedOn:
         recording: of the learner, if it was recorded.
         stage: the room as it is now; its robot is the learner.
         verdict: the referee's, of both robots.
+        complaints: what the teacher did not do.
     """
 
     demonstration: Demonstration
@@ -43,6 +44,12 @@ class PassedOn:
     recording: Path | None
     stage: Stage
     verdict: Verdict
+    complaints: tuple[str, ...]
+
+    @property
+    def finished(self) -> bool:
+        """DONE was said, and all of the task had been shown."""
+        return self.demonstration.done and self.teacher.complete
 
 
 def with_robot_teacher(world: World) -> World:
@@ -143,4 +150,15 @@ def pass_on(
         recording=recording,
         stage=stage,
         verdict=stage.verdict(),
+        complaints=_complaints(teacher, demonstration),
     )
+
+
+def _complaints(teacher: RobotTeacher, demonstration: Demonstration) -> tuple[str, ...]:
+    told: list[str] = []
+    if not teacher.complete:
+        tally = Tally(teacher.controller.program.network, teacher.events)
+        told.append(f"the teacher did not come to the end of its task; missing: {', '.join(tally.missing)}")
+    if not demonstration.done:
+        told.append("DONE was never said")
+    return tuple(told)
