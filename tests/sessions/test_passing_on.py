@@ -16,6 +16,7 @@ from understudy.network import Network
 from understudy.robot import TEACHER_COLOR, Cue
 from understudy.sessions import PassedOn, pass_on, pictures, recorded_demonstration, teach, with_robot_teacher
 from understudy.sim import World, load_world, world_path
+from understudy.teaching import NAIVE
 
 SKILLS = installed_skills()
 
@@ -79,6 +80,16 @@ def test_the_picture_has_both(passed: PassedOn, tmp_path: Path, monkeypatch: pyt
     pictures.picture_demonstration(passed, learn(passed.demonstration), tmp_path / "relay")
     ticks = len(passed.stage.robot_path)
     assert drawn == [("learner", "robot", ticks), ("teacher", "robot", ticks)]
+
+
+def test_a_teacher_that_does_not_come_to_the_end_says_what_is_missing(world: World, told: Network) -> None:
+    passed = pass_on("relay", told, world, SKILLS, manner=NAIVE, limit_s=5.0)
+    assert not passed.finished
+    assert passed.complaints == (
+        "the teacher did not come to the end of its task; missing: track-light-orange-1, track-light-green-1,"
+        " track-pink-1, track-orange-1",
+        "DONE was never said",
+    )
 
 
 def test_the_teacher_stands_where_the_person_stood(world: World) -> None:
