@@ -78,6 +78,13 @@ def test_a_careful_one_looks_around_first_and_begins_when_it_is_followed() -> No
     assert seen.way_m[start] < 0.1
 
 
+def test_where_there_is_no_room_to_turn_it_begins_none_the_less() -> None:
+    walls = [{"from": [0.6, y], "to": [1.8, y]} for y in (1.72, 2.28)]
+    seen = shown(VISIT, room(**GREEN, walls=walls), CAREFUL, ticks=130)
+    assert 100 < seen.tick_of(Cue.START) < 125
+    assert seen.turned[-1] < math.tau
+
+
 def test_the_word_comes_when_the_follower_stands_where_it_stood() -> None:
     seen = shown(VISIT, room(**GREEN), CAREFUL)
     [at], here, done = seen.achieved, seen.tick_of(Cue.HERE), seen.tick_of(Cue.DONE)

@@ -18,12 +18,17 @@ from understudy.teaching.manner import CAREFUL, Manner
 __all__ = ["RobotTeacher"]
 
 _TURN_RATE = 0.8
+_LOOK_S = 1.5 * math.tau / _TURN_RATE
+"""Where there is no room to turn, half a look must do."""
 
 _LOST_S = 0.5
 """A follower that looks aside for a moment is not waited for."""
 
 _PATIENCE_S = 20.0
 """One that has not come after so long has lost its teacher, and finds it rather when it moves."""
+
+_LEAD_OUT = 1.6
+"""At the end it goes on by so many times what the follower is behind: a target is passed when it is well behind."""
 
 _LEAD_OUT_M_S = 0.25
 _LEAD_OUT_S = 12.0
@@ -70,6 +75,7 @@ class RobotTeacher:
         self._pose: Pose | None = None
         self._way_m = self._turned = 0.0
         self._alone_s = 0.0
+        self._look_until_s: float | None = None
         self._end_m = self._end_s = math.inf
 
     def step(self, observation: Observation, followed: bool) -> tuple[Command, tuple[Cue, ...]]:
@@ -116,7 +122,9 @@ class RobotTeacher:
 
     def _look(self, percepts: Percepts) -> Command:
         """Once around: what was seen is remembered."""
-        if self._turned >= math.tau:
+        if self._look_until_s is None:
+            self._look_until_s = percepts.time_s + _LOOK_S
+        if self._turned >= math.tau or percepts.time_s >= self._look_until_s:
             self.phase = "beginning"
             return STOP
         command, _ = self._motion.command([Action(drive=Drive(angular=_TURN_RATE))], percepts)
@@ -137,7 +145,7 @@ class RobotTeacher:
         if decision.complete or decision.stopped:
             self.complete = decision.complete
             self.phase = "leading out"
-            self._end_m = self._way_m + 1.6 * self.manner.shows_m
+            self._end_m = self._way_m + _LEAD_OUT * self.manner.shows_m
             self._end_s = percepts.time_s + _LEAD_OUT_S * (self.manner.shows_m > 0)
             return STOP
         return self._at_pace(decision.command)
