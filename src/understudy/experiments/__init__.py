@@ -1,9 +1,9 @@
 """Experiments as documents, the dissertation's among them; their trials, with every seed and failure counted."""
 
 from understudy.experiments.campaign import Campaign, Standing
-from understudy.experiments.conducting import Made, conduct, make
 from understudy.experiments.chain_trials import ChainOptions, chain_trial, measured_limit
 from understudy.experiments.chains import Chain, Transmission, chain_of, steps_in_order
+from understudy.experiments.conducting import Made, conduct, make
 from understudy.experiments.delivery_rooms import CONDITIONS, Condition
 from understudy.experiments.document import ExperimentDocument, Learning, Limits, Options, Row, experiment_schema
 from understudy.experiments.experiment import Experiment

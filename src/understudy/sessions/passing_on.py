@@ -11,7 +11,9 @@ from understudy.execution import Tally, compile_network
 from understudy.learning import Demonstration, LearningSettings, Observer, demonstrate
 from understudy.network import Network
 from understudy.perception import Percepts
-from understudy.robot import TEACHER_COLOR, Journal
+from understudy.recording import Recorder
+from understudy.robot import TEACHER_COLOR
+from understudy.sessions.aloud import Aloud
 from understudy.sessions.stage import Path as Way
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sessions.teaching import demonstration_recorder
@@ -36,6 +38,7 @@ class PassedOn:
         stage: the room as it is now; its robot is the learner.
         verdict: the referee's, of both robots.
         complaints: what the teacher did not do.
+        remarks: when, and what the learner said aloud; its teacher does not listen.
     """
 
     demonstration: Demonstration
@@ -45,6 +48,7 @@ class PassedOn:
     stage: Stage
     verdict: Verdict
     complaints: tuple[str, ...]
+    remarks: tuple[tuple[float, str], ...]
 
     @property
     def finished(self) -> bool:
@@ -130,9 +134,10 @@ def pass_on(
 
     with ExitStack() as stack:
         stack.callback(body.stop)
-        journal: Journal | None = None
+        recorder: Recorder | None = None
         if recording is not None:
-            journal = stack.enter_context(demonstration_recorder(recording, stage, name, teacher="robot"))
+            recorder = stack.enter_context(demonstration_recorder(recording, stage, name, teacher="robot"))
+        aloud = Aloud(stage.simulation, recorder)
         demonstration = demonstrate(
             stage.robot,
             skills,
@@ -140,7 +145,7 @@ def pass_on(
             name=name,
             limit_s=limit_s,
             following=FollowTrail() if manner.trail else FollowTeacher(),
-            journal=journal,
+            journal=aloud,
             watch=look,
         )
     return PassedOn(
@@ -151,6 +156,7 @@ def pass_on(
         stage=stage,
         verdict=stage.verdict(),
         complaints=_complaints(teacher, demonstration),
+        remarks=tuple(aloud.remarks),
     )
 
 
