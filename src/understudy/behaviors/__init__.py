@@ -1,7 +1,7 @@
 """What the robot can do: skills for tasks, and the implicit behaviors Wander, Avoid and following the teacher."""
 
 from understudy.behaviors.avoid import Avoid, AvoidSettings
-from understudy.behaviors.follow import FollowTeacher
+from understudy.behaviors.follow import Following, FollowTeacher, FollowTrail
 from understudy.behaviors.motion import Motion
 from understudy.behaviors.registry import ENTRY_POINT_GROUP, SkillSet, installed_skills, unknown_skill
 from understudy.behaviors.skill import (
@@ -37,6 +37,8 @@ __all__ = [
     "Drive",
     "Fact",
     "FollowTeacher",
+    "FollowTrail",
+    "Following",
     "Head",
     "Instance",
     "Memory",

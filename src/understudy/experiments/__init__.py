@@ -1,6 +1,8 @@
 """Experiments as documents, the dissertation's among them; their trials, with every seed and failure counted."""
 
 from understudy.experiments.campaign import Campaign, Standing
+from understudy.experiments.chain_trials import ChainOptions, chain_trial, measured_limit
+from understudy.experiments.chains import Chain, Transmission, chain_of, steps_in_order
 from understudy.experiments.conducting import Made, conduct, make
 from understudy.experiments.delivery_rooms import CONDITIONS, Condition
 from understudy.experiments.document import ExperimentDocument, Learning, Limits, Options, Row, experiment_schema
@@ -14,6 +16,7 @@ from understudy.experiments.loading import experiment_names, find_experiment, lo
 from understudy.experiments.summary import Measured, Summary, Table, success_rate, summarise
 from understudy.experiments.tables import TABLES
 from understudy.experiments.teaching import executed, reference, structure
+from understudy.experiments.transfer import TransferLimit, transfer_limit
 from understudy.experiments.trial import Trial
 from understudy.experiments.unit import Unit, Witness
 from understudy.experiments.workforce import Alone, DaskWorkers, Workforce
@@ -24,6 +27,8 @@ __all__ = [
     "TABLES",
     "Alone",
     "Campaign",
+    "Chain",
+    "ChainOptions",
     "Condition",
     "Course",
     "DaskWorkers",
@@ -39,10 +44,14 @@ __all__ = [
     "Standing",
     "Summary",
     "Table",
+    "TransferLimit",
+    "Transmission",
     "Trial",
     "Unit",
     "Witness",
     "Workforce",
+    "chain_of",
+    "chain_trial",
     "collisions_of",
     "conduct",
     "course",
@@ -54,11 +63,14 @@ __all__ = [
     "links_with_init",
     "load_experiment",
     "make",
+    "measured_limit",
     "problems_of",
     "reference",
+    "steps_in_order",
     "structure",
     "success_rate",
     "summarise",
+    "transfer_limit",
     "visits",
     "ways",
 ]

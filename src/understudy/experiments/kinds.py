@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
+from understudy.experiments.chain_trials import ChainOptions, chain_trial, measured_limit
 from understudy.experiments.delivery import DeliveryOptions, delivery_trial
 from understudy.experiments.document import Options
 from understudy.experiments.generalization import GeneralizationOptions, course_trial, generalised_trial
@@ -50,6 +51,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         "teach in turn": Kind(trial=course_trial, options=GeneralizationOptions),
         "run generalised": Kind(trial=generalised_trial, options=GeneralizationOptions),
         "run planned": Kind(trial=planned_trial, options=PlanningOptions),
+        "pass on": Kind(trial=chain_trial, options=ChainOptions, measure=measured_limit),
     }
 )
 """By the names that documents use."""

@@ -15,7 +15,17 @@ from understudy.network import Component, Network, Task, task_text
 from understudy.sessions import Taught, perform, teach
 from understudy.sim import World
 
-__all__ = ["Shown", "executed", "reference", "run_trial", "show", "structure", "teach_and_run_trial", "teach_trial"]
+__all__ = [
+    "Shown",
+    "executed",
+    "reference",
+    "run_trial",
+    "show",
+    "side",
+    "structure",
+    "teach_and_run_trial",
+    "teach_trial",
+]
 
 Structure = tuple[tuple[str, ...], ...]
 
@@ -83,7 +93,7 @@ def show(unit: Unit) -> Shown:
 
 def structure(network: Network) -> Structure:
     """What two lessons of one task must have in common: the steps, on which side targets are passed, and the links."""
-    steps = tuple((path, _side(part)) for path, part in network.walk() if isinstance(part, Component))
+    steps = tuple((path, side(part)) for path, part in network.walk() if isinstance(part, Component))
     return steps + tuple((link.source, link.target, link.type.value) for link in network.links)
 
 
@@ -108,7 +118,8 @@ def _in_words(part: tuple[str, ...]) -> str:
             return f"{source} → {target} ({kind})"
 
 
-def _side(component: Component) -> str:
+def side(component: Component) -> str:
+    """On which side a target is passed: ``left``, ``right`` or ``ahead``; empty for other steps."""
     angle = component.parameters.get("angle_deg")
     if not isinstance(angle, float):
         return ""

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from random import Random
 from typing import Any, Literal
 
-from understudy.behaviors import Action, Drive, FollowTeacher, Instance, Memory, Motion, Parameters, Skill
+from understudy.behaviors import Action, Drive, Following, FollowTeacher, Instance, Memory, Motion, Parameters, Skill
 from understudy.clock import CONTROL_PERIOD_S
 from understudy.learning.observations import Demonstration
 from understudy.learning.observer import Observer
@@ -74,6 +74,7 @@ class Apprentice:
         skills: by name; TAKE needs ``PickUp``, DROP needs ``Drop``.
         spec: the robot.
         seed: of the primitives, should they throw dice.
+        following: how it keeps with its teacher; half a metre behind if left out.
     """
 
     look_s = 15.0
@@ -85,11 +86,18 @@ class Apprentice:
     errand_s = 45.0
     """How long it tries to pick up or to drop."""
 
-    def __init__(self, skills: Mapping[str, Skill], spec: RobotSpec, *, seed: int = 0) -> None:
+    def __init__(
+        self,
+        skills: Mapping[str, Skill],
+        spec: RobotSpec,
+        *,
+        seed: int = 0,
+        following: Following | None = None,
+    ) -> None:
         self.skills = skills
         self.mode: Literal["idle", "following", "looking", "busy", "done"] = "idle"
         self._motion = Motion(spec)
-        self._follow = FollowTeacher()
+        self._follow = following or FollowTeacher()
         self._memory: Memory = {}
         self._errand: Errand | None = None
         self._look_until_s = 0.0
@@ -191,6 +199,7 @@ def demonstrate(
     name: str = "demonstration",
     limit_s: float = 600.0,
     attention: Attention | None = None,
+    following: Following | None = None,
     journal: Journal | None = None,
     watch: Callable[[Percepts, Observer], None] | None = None,
 ) -> Demonstration:
@@ -203,6 +212,7 @@ def demonstrate(
         name: of the demonstration.
         limit_s: seconds after which a demonstration without DONE is ended; it counts up to then.
         attention: as for :func:`observe`.
+        following: as for :class:`Apprentice`.
         journal: is told everything, for a recording.
         watch: is called after every tick, for a display.
 
@@ -212,7 +222,7 @@ def demonstrate(
     """
     journal = journal or NoJournal()
     perception, observer = Perception(robot.spec, attention=attention), Observer(settings)
-    apprentice, remarks = Apprentice(skills, robot.spec), Remarks(settings)
+    apprentice, remarks = Apprentice(skills, robot.spec, following=following), Remarks(settings)
 
     begun_s: float | None = None
 

@@ -2,6 +2,7 @@
 
 from understudy.sessions.capability import Capability, capabilities, check_capable, unbound
 from understudy.sessions.onboard import await_start, perform_with, practise_with, teach_with
+from understudy.sessions.passing_on import PassedOn, pass_on, with_robot_teacher
 from understudy.sessions.past import Past, past_at, take_up
 from understudy.sessions.practising import Practised, practise
 from understudy.sessions.recorded import limit_of, seed_of, spec_of, task_of, world_of
@@ -14,6 +15,7 @@ from understudy.sessions.workspace import Workspace, file_stem
 __all__ = [
     "Capability",
     "Divergence",
+    "PassedOn",
     "Past",
     "Performed",
     "Practised",
@@ -27,6 +29,7 @@ __all__ = [
     "check_capable",
     "file_stem",
     "limit_of",
+    "pass_on",
     "past_at",
     "perform",
     "perform_with",
@@ -41,5 +44,6 @@ __all__ = [
     "teach_with",
     "unbound",
     "what_if",
+    "with_robot_teacher",
     "world_of",
 ]

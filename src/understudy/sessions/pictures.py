@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,7 @@ from understudy.learning import Lesson
 from understudy.network import Network
 from understudy.recording import Recording, outcome_of
 from understudy.robot import TEACHER_COLOR
+from understudy.sessions.passing_on import PassedOn
 from understudy.sessions.running import Performed
 from understudy.sessions.stage import Stage
 from understudy.sessions.teaching import Taught
@@ -34,13 +36,15 @@ __all__ = ["picture_demonstration", "picture_recording", "picture_run", "picture
 _MOVED_M = 0.05
 
 
-def picture_demonstration(taught: Taught, lesson: Lesson, stem: Path) -> list[Path]:
-    """The room with everybody's paths, and the observations (Figures 4.6 and 4.8)."""
+def picture_demonstration(taught: Taught | PassedOn, lesson: Lesson, stem: Path) -> list[Path]:
+    """The room with everybody's paths, and the observations (Figures 4.6 and 4.8), whoever was the teacher."""
     stage = taught.stage
-    teacher = stage.teacher_path
-    paths = [Trajectory(name="robot", points=stage.robot_path)]
+    by_robot = isinstance(taught, PassedOn)
+    teacher = taught.teacher_path if isinstance(taught, PassedOn) else stage.teacher_path
+    paths = [Trajectory(name="learner" if by_robot else "robot", points=stage.robot_path)]
     if teacher is not None:
-        paths.append(Trajectory(name="teacher", points=teacher, color=str(TEACHER_COLOR), dashed=True, body="person"))
+        body: Literal["robot", "person"] = "robot" if by_robot else "person"
+        paths.append(Trajectory(name="teacher", points=teacher, color=str(TEACHER_COLOR), dashed=True, body=body))
     paths += _box_paths(stage)
     numbers = " Numbers: where the robot was when the teacher spoke." if taught.demonstration.cues else ""
     arena = draw_arena(
@@ -48,7 +52,7 @@ def picture_demonstration(taught: Taught, lesson: Lesson, stem: Path) -> list[Pa
         paths,
         marks_of_cues(taught.demonstration.cues),
         title=f"{taught.demonstration.name}: the demonstration",
-        subtitle=f"The robot follows its teacher.{numbers}",
+        subtitle=f"The robot follows its teacher{', a robot, too' if by_robot else ''}.{numbers}",
     )
     return [
         *save(arena, stem.with_name(f"{stem.name}-room")),

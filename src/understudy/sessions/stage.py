@@ -63,7 +63,11 @@ class Stage:
     @property
     def robot_path(self) -> Path:
         """Where the robot truly was."""
-        poses = self.referee.trajectories[self.robot.name]
+        return self.path_of(self.robot.name)
+
+    def path_of(self, name: str) -> Path:
+        """Where one of the robots truly was."""
+        poses = self.referee.trajectories[name]
         return np.array([(index * CONTROL_PERIOD_S, p.x, p.y, p.heading) for index, p in enumerate(poses)])
 
     @property

@@ -16,7 +16,7 @@ from understudy.sessions.recorded import spec_of
 from understudy.sessions.stage import Stage, Verdict
 from understudy.sim import Slip, World
 
-__all__ = ["Taught", "recorded_demonstration", "teach"]
+__all__ = ["Taught", "demonstration_recorder", "recorded_demonstration", "teach"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,7 +82,7 @@ def teach(
     with ExitStack() as stack:
         recorder: Recorder | None = None
         if recording is not None:
-            recorder = stack.enter_context(_recorder(recording, stage, name))
+            recorder = stack.enter_context(demonstration_recorder(recording, stage, name))
         aloud = Aloud(stage.simulation, recorder)
 
         def look(percepts: Percepts, observer: Observer) -> None:
@@ -109,13 +109,21 @@ def teach(
     )
 
 
-def _recorder(path: Path, stage: Stage, name: str) -> Recorder:
+def demonstration_recorder(path: Path, stage: Stage, name: str, **more: str) -> Recorder:
+    """A recording of a demonstration, with the room that it was given in.
+
+    Args:
+        path: the file, which must not exist.
+        stage: where it is given.
+        name: of the demonstration.
+        more: what else is to be known of it.
+    """
     return Recorder(
         path,
         kind="demonstration",
         name=name,
         spec=stage.robot.spec,
-        metadata={"seed": str(stage.simulation.seed), "world": stage.world.name},
+        metadata={"seed": str(stage.simulation.seed), "world": stage.world.name, **more},
         attachments={"world.yaml": stage.world.to_yaml().encode()},
     )
 
