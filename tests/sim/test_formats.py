@@ -13,6 +13,7 @@ from pydantic import BaseModel, TypeAdapter
 from tests.sim.support import world_data
 from understudy.behaviors import installed_skills
 from understudy.documents import Part
+from understudy.experiments import ExperimentDocument
 from understudy.learning import demonstrate, learn, parse_intervals
 from understudy.network import LinkType, parse_task
 from understudy.robot import Color, Cue
@@ -40,7 +41,7 @@ def rows(header: str) -> list[list[str]]:
 
 def test_there_are_examples_of_everything() -> None:
     kinds = [data["understudy"] if isinstance(data, dict) else "script" for data in EXAMPLES]
-    assert sorted(set(kinds)) == ["intervals/1", "script", "task/1", "world/1"]
+    assert sorted(set(kinds)) == ["experiment/1", "intervals/1", "script", "task/1", "world/1"]
 
 
 @pytest.mark.parametrize("data", EXAMPLES, ids=range(len(EXAMPLES)))
@@ -56,6 +57,8 @@ def test_an_example_is_valid(data: Any) -> None:
                 installed_skills()[component.behavior].complete(component.parameters)
         case "intervals/1":
             parse_intervals(data)
+        case "experiment/1":
+            ExperimentDocument.model_validate(data)
         case kind:
             pytest.fail(f"there is no such document: {kind}")
 
