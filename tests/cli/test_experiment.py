@@ -118,7 +118,7 @@ def test_another_experiment_is_refused_until_it_is_begun_anew(experiment: Comman
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (("tea",), "tea: there is no such file, and no such experiment among: delivery, "),
+        (("tea",), "tea: there is no such file, and no such experiment among: clutter, delivery, "),
         (("tiny.yaml", "--row", "x"), "tiny: there is no row 'x'; choose one of: taught, elsewhere, both"),
         (("tiny.yaml", "--workers", "2", "--scheduler", "tcp://a:1"), "give one of them"),
         (("tiny.yaml", "--trials", "0"), "Invalid value for '--trials'"),
