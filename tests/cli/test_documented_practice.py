@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from .test_commands import TINY, understudy
+from tests.tiny import TINY
+
+from .program import understudy
 
 PAGE = Path(__file__).parents[2] / "docs" / "practice.md"
 

@@ -4,7 +4,7 @@ import re
 import shlex
 from pathlib import Path
 
-from .test_commands import understudy
+from .program import understudy
 
 PAGE = Path(__file__).parents[2] / "docs" / "runs.md"
 

@@ -8,7 +8,7 @@ import yaml
 
 from understudy.network import load_task
 
-from .test_commands import understudy
+from .program import understudy
 
 
 def intervals(name: str, *steps: tuple[str, dict[str, object]]) -> dict[str, object]:

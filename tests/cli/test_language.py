@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from .test_commands import understudy
+from .program import understudy
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = (DOCS / "language.md").read_text(encoding="utf-8")

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 import yaml
 
+from tests.tiny import TINY
 from understudy.cli.app import main
 from understudy.library import Library
 from understudy.network import Task, task_text
 
 from ..library.tasks import clock, text_of, visiting
-from .test_commands import TINY
 
 
 class Terminal:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.test_commands import understudy
+from tests.cli.program import understudy
 from understudy.cli.keyboard import Keyboard
 from understudy.robot import Cue
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from understudy.network import load_task
 
-from .test_commands import understudy
+from .program import understudy
 
 
 def test_a_task_from_a_goal(tmp_path: Path) -> None:

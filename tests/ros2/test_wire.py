@@ -2,7 +2,6 @@
 
 import signal
 import subprocess
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 from rosbags.typesys.stores import ros2_humble as ros
 
+from tests.cli.program import PROGRAM
 from understudy.behaviors import installed_skills
 from understudy.errors import RobotError
 from understudy.learning import Lesson, learn
@@ -28,7 +28,6 @@ from understudy.ros2.transport import COMMANDS, LATCHED, SENSORS, Transport
 from understudy.sessions import await_start, perform_with, practise_with, recorded_demonstration, teach, teach_with
 from understudy.sim import load_world, world_path
 
-PROGRAM = [sys.executable, "-c", "from understudy.cli import main; main()"]
 TWIST, STRING = "geometry_msgs/msg/Twist", "std_msgs/msg/String"
 SKILLS = installed_skills()
 

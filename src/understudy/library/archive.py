@@ -296,6 +296,7 @@ class _Packed:
         except KeyError:
             problem = "it is missing; this is no archive of a task, or not all of one"
         except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, OSError):
+            # All that zipfile raises where bits have turned over: another method, a password, a place before the start.
             problem = "the file is damaged here; export the task again"
         raise DocumentError(problem, source=str(self._path), path=name)
 

@@ -7,8 +7,9 @@ from understudy.robot.journal import Journal, NoJournal
 from understudy.robot.kinds import ROBOTS
 from understudy.robot.loop import DEADMAN_S, control
 from understudy.robot.observation import GripperReading, Observation, Odometry, Scan
-from understudy.robot.pioneer import PIONEER, CameraMount, GripperGeometry, LaserMount, RobotSpec
+from understudy.robot.pioneer import PIONEER
 from understudy.robot.protocol import Robot
+from understudy.robot.spec import CameraMount, GripperGeometry, LaserMount, RobotSpec
 from understudy.robot.turtlebot import TURTLEBOT
 
 __all__ = [

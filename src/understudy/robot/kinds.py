@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from understudy.robot.pioneer import PIONEER, RobotSpec
+from understudy.robot.pioneer import PIONEER
+from understudy.robot.spec import RobotSpec
 from understudy.robot.turtlebot import TURTLEBOT
 
 __all__ = ["ROBOTS"]

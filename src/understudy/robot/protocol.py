@@ -4,7 +4,7 @@ from typing import Protocol
 
 from understudy.robot.command import Command
 from understudy.robot.observation import Observation
-from understudy.robot.pioneer import RobotSpec
+from understudy.robot.spec import RobotSpec
 
 __all__ = ["Robot"]
 

@@ -2,7 +2,7 @@
 
 import math
 
-from understudy.robot.pioneer import CameraMount, LaserMount, RobotSpec
+from understudy.robot.spec import CameraMount, LaserMount, RobotSpec
 
 __all__ = ["TURTLEBOT"]
 

@@ -1,7 +1,7 @@
 """A sitting with a robot of another process, or a real one: taught, run, practised, recorded; nobody else judges it."""
 
 from collections.abc import Callable, Mapping
-from contextlib import ExitStack
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
 from understudy.behaviors import Skill
@@ -11,7 +11,7 @@ from understudy.network import Network, Task, task_text
 from understudy.perception import Perception, Percepts
 from understudy.practice import Practice, PracticeReport
 from understudy.recording import Recorder, RecordingKind
-from understudy.robot import STOP, Cue, Robot
+from understudy.robot import STOP, Cue, Journal, Robot
 from understudy.ros2 import RobotDocument
 from understudy.sessions.capability import check_capable
 
@@ -59,10 +59,7 @@ def teach_with(
         LearningError: START was never said.
         RecordingError: the file exists or cannot be written.
     """
-    with ExitStack() as stack:
-        journal = None
-        if recording is not None:
-            journal = stack.enter_context(_recorder(recording, "demonstration", name, document))
+    with _journal(recording, "demonstration", name, document) as journal:
         return demonstrate(robot, skills, settings, name=name, limit_s=limit_s, journal=journal, watch=watch)
 
 
@@ -101,10 +98,7 @@ def perform_with(
     check_capable(network, skills, robot.spec)
     controller = Controller(network, skills, robot.spec, seed=seed)
     perception = Perception(robot.spec, attention=controller.program.attention)
-    with ExitStack() as stack:
-        journal = None
-        if recording is not None:
-            journal = stack.enter_context(_recorder(recording, "run", name, document, network, seed, limit_s))
+    with _journal(recording, "run", name, document, network, seed, limit_s) as journal:
         return go_on(robot, controller, perception, limit_s=limit_s, journal=journal, watch=watch)
 
 
@@ -144,17 +138,13 @@ def practise_with(
     compile_network(network, skills)
     check_capable(network, skills, robot.spec)
     practice = Practice(robot, network, skills, seed=seed, settings=settings, name=f"practice of {name}")
-    with ExitStack() as stack:
-        journal = None
-        if recording is not None:
-            recorder = _recorder(recording, "run", name, document, network, seed, limit_s, practice="yes")
-            journal = stack.enter_context(recorder)
+    with _journal(recording, "run", name, document, network, seed, limit_s, practice="yes") as journal:
         look = None if watch is None else lambda percepts: watch(percepts, practice)
         return practice.run(limit_s=limit_s, journal=journal, watch=look)
 
 
-def _recorder(
-    path: Path,
+def _journal(
+    path: Path | None,
     kind: RecordingKind,
     name: str,
     document: RobotDocument,
@@ -162,8 +152,10 @@ def _recorder(
     seed: int = 0,
     limit_s: float = 0.0,
     **more: str,
-) -> Recorder:
+) -> AbstractContextManager[Journal | None]:
     """A recording that says of which robot it is, so that it can be learned from without its document."""
+    if path is None:
+        return nullcontext()
     attachments = {"robot.yaml": document.to_yaml().encode()}
     if network is not None:
         attachments["task.yaml"] = task_text(Task.of(name, network)).encode()
